@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+// The phonological model of a sign: what the lexicon stores and the synthesis performs. A right-handed signer is
+// described; a left-handed one is the exact mirror image.
+//
+// The parameters are the field's (handshape, extended finger direction, palm orientation, location with contact, movement,
+// two-handed relation, non-manual features, mouthing), after Stokoe and HamNoSys.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "kinematics/vector.h"
+
+namespace auslan {
+
+// ---------------------------------------------------------------------------------------------------------------------
+// Vocabulary. Every enumeration has a table of names in the same order (vocabulary.h), used by text, database and output.
+
+/// One of 26 directions as seen by the signer; each component is -1, 0 or +1.
+struct Direction {
+  int left = 0;  ///< +1 the signer's left, -1 right
+  int up = 0;    ///< +1 up, -1 down
+  int away = 0;  ///< +1 away from the signer's chest, -1 towards it
+
+  friend bool operator==(const Direction&, const Direction&) = default;
+};
+
+/// Places on or near the body and on the other hand where an articulating hand can be. `contra` = the side of the
+/// non-articulating hand.
+enum class Location {
+  // head
+  kTopHead, kForehead, kTemple, kSideHead, kEye, kCheekbone, kNose, kFace, kCheek, kEar, kMouth, kChin, kNeck,
+  // trunk and arm
+  kShoulder, kContraShoulder, kChest, kContraChest, kStomach, kWaist, kThigh, kUpperArm, kElbow,
+  // signing space
+  kHighNeutral, kNeutral, kLowNeutral, kIpsiSpace, kContraSpace,
+  // the other hand ("nd")
+  kOtherPalm, kOtherBack, kOtherWristBack, kOtherWristInner, kOtherForearmBack, kOtherForearmInner, kOtherFingertips,
+  kOtherThumb, kOtherIndex, kOtherMiddle, kOtherRing, kOtherLittle, kOtherUlnar, kOtherRadial, kOtherFistTop, kOtherElbow,
+  kHands,  ///< the two hands meet, wherever the non-dominant one is
+};
+
+/// The part of the articulating hand that touches, or that is placed at the location.
+enum class HandPart {
+  kPalm, kBack, kRadial, kUlnar, kFingertips, kIndexTip, kMiddleTip, kRingTip, kLittleTip, kThumbTip, kThumbIndexTips,
+  kIndexMiddleTips, kIndexSide, kIndexMiddle, kFingers, kIndexKnuckle, kKnuckles, kWrist, kFistThumbSide, kFistUlnar,
+  kThumbWeb, kIndexBase, kIndexMidJoint, kThumbSide,
+};
+
+enum class ContactKind { kTouch, kHold, kBrush, kNear };
+
+enum class MoveKind {
+  kHold, kStraight, kArc, kCircle, kSpiral, kZigzag, kWavy, kTap, kBrush, kRub, kTwist, kNod, kShake, kSway, kBounce,
+  kOpen, kClose, kFlick, kSqueeze, kWiggle, kBend, kAlternate, kCross, kSeparate, kApproach, kStrike,
+};
+
+enum class Size { kTiny, kSmall, kMedium, kLarge };
+enum class Manner { kPlain, kSlow, kFast, kSharp };
+enum class Plane { kNone, kHorizontal, kVertical, kFrontal, kSagittal, kSupinate, kPronate, kSideToSide, kUpDown, kToFro,
+                   kFingers, kClockwise, kAnticlockwise };
+/// Which hands a movement moves.
+enum class MovingHands { kDominant, kNonDominant, kBoth, kAlternating };
+
+/// The relation of the two hands.
+enum class Handedness {
+  kOne,           ///< the dominant hand alone
+  kSymmetric,     ///< both act, mirrored left to right
+  kAlternating,   ///< both act, mirrored, half a cycle apart
+  kDominantBase,  ///< the dominant hand acts on or beside the other
+};
+
+enum class Confidence { kLow, kMedium, kHigh };
+enum class ReviewState { kUnreviewed, kReviewed, kRejected };
+
+// ---------------------------------------------------------------------------------------------------------------------
+// The sign.
+
+struct Contact {
+  ContactKind kind = ContactKind::kTouch;
+  std::optional<HandPart> part;   ///< of the articulating hand; none = the fingertips its handshape points with, or its palm
+  std::optional<Location> target; ///< where it lands when that is finer than the posture's location
+};
+
+/// One posture of one hand.
+struct Posture {
+  std::string handshape;                       ///< id of a Handshape
+  Direction fingers{0, 1, 0};                  ///< extended finger direction: along the metacarpals, whatever the fingers do
+  Direction palm{0, 0, 1};                     ///< where the palm faces
+  Location location = Location::kNeutral;
+  Vec3 offset{0.0};                            ///< metres, world axes (+X the signer's left), from the location to the hand
+  std::optional<Contact> contact;
+};
+
+/// A movement. `from` < `to`: the path between two phases; `from` == `to`: a local movement at that phase.
+struct Movement {
+  MoveKind kind = MoveKind::kHold;
+  std::optional<Direction> direction;
+  Size size = Size::kMedium;
+  int repeats = 1;  ///< how often the movement is made, at least 1
+  MovingHands hands = MovingHands::kDominant;
+  Manner manner = Manner::kPlain;
+  Plane plane = Plane::kNone;
+  int from = 0;
+  int to = 0;
+};
+
+/// Non-manual features in the lexicon's words ("raise", "furrow", "shake", "puff" …), empty where the sign asks nothing.
+struct NonManual {
+  std::string brows, eyes, mouth, cheeks, head, shoulders, gaze, face;
+  std::string mouthing;  ///< English word mouthed with the sign
+};
+
+/// Where an entry comes from and how sure we are of it.
+struct Provenance {
+  std::vector<std::string> sources;  ///< tags of assets/SOURCES.md
+  std::string form_evidence;         ///< what handshape and location rest on
+  std::string movement_evidence;     ///< what the movement rests on: measured, documented, iconic, cognate, memory
+  Confidence confidence = Confidence::kLow;
+  ReviewState review = ReviewState::kUnreviewed;
+  std::string reviewed_by;           ///< empty unless reviewed or rejected
+  std::string reviewed_on;           ///< ISO date, empty unless reviewed or rejected
+};
+
+struct Sign {
+  std::string gloss;       ///< upper case, the entry's id
+  std::string kind;        ///< "sign", "letter" or "number"
+  std::string category;
+  std::string region;      ///< "all", "north", "south" or a state
+  std::string definition;  ///< in our own words
+  Handedness handedness = Handedness::kOne;
+  std::vector<Posture> dominant;      ///< phases, at least one
+  std::vector<Posture> non_dominant;  ///< empty (one-handed); one phase (a base that stays); or one per dominant phase.
+                                      ///< In a symmetric sign it is left empty: it is the mirror image
+  std::vector<Movement> movements;
+  NonManual non_manual;
+  Provenance provenance;
+};
+
+/// Angles of one digit in degrees: flexion of its three joints, and abduction away from the middle finger.
+struct FingerAngles {
+  double mcp = 0, pip = 0, dip = 0, abduction = 0;
+};
+
+/// Angles of the thumb. Radial abduction is in the plane of the palm, palmar abduction out of it; opposition turns the
+/// thumb's pad from facing sideways (0) to facing the fingers (1).
+struct ThumbAngles {
+  double radial_abduction = 0, palmar_abduction = 0, opposition = 0, mp = 0, ip = 0;
+};
+
+struct Handshape {
+  std::string id;
+  std::string name;
+  std::string base;                     ///< id of the base shape it is a variant of, or its own id
+  std::array<FingerAngles, 4> fingers;  ///< index, middle, ring, little
+  ThumbAngles thumb;
+  std::string selected;                 ///< the selected digits, as "index+middle"
+  std::string hamnosys;                 ///< approximate symbol names, comma-separated, or empty
+  std::string description;              ///< in our own words
+  std::vector<std::string> aliases;
+  Provenance provenance;
+};
+
+}  // namespace auslan
