@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "accessor.h"
+#include "container.h"
+#include "gltf/figure_gltf.h"
+#include "gltf_format.h"
+#include "kinematics/figure_file.h"
+#include "kinematics/whole_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <new>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <tiny_gltf.h>
+#include <utility>
+
+namespace auslan {
+namespace {
+
+/// How far from the identity a rest rotation may lie: the rounding of exporters that compose matrices in float.
+constexpr double kIdentityTolerance = 1e-6;
+
+tl::unexpected<Error> malformed(std::string message, std::string place) {
+  return fail(ErrorCode::kMalformed, std::move(message), std::move(place));
+}
+
+tl::unexpected<Error> unsupported(std::string message, std::string place) {
+  return fail(ErrorCode::kUnsupported, std::move(message), std::move(place));
+}
+
+std::string place_of(const char* list, int index, const std::string& name) {
+  return std::string(list) + "[" + std::to_string(index) + "]" + (name.empty() ? "" : " (" + name + ")");
+}
+
+// What tinygltf calls in place of its own file and image functions.
+
+bool file_exists(const std::string& path, void* folder) {
+  return static_cast<gltf::Folder*>(folder)->holds(path);
+}
+std::string keep_path(const std::string& path, void*) {
+  return path;
+}
+bool read_file(std::vector<unsigned char>* bytes, std::string*, const std::string& path, void* folder) {
+  return static_cast<gltf::Folder*>(folder)->read(path, *bytes);
+}
+bool refuse_to_write(std::string*, const std::string&, const std::vector<unsigned char>&, void*) {
+  return false;
+}
+
+bool look_at_image(tinygltf::Image*, int index, std::string*, std::string*, int, int, const unsigned char* bytes,
+                   int size, void* error) {
+  if (size < 0 || !gltf::is_image_too_large(bytes, static_cast<size_t>(size))) return true;
+  *static_cast<std::optional<Error>*>(error) = Error{
+      ErrorCode::kLimit, "the image is wider or taller than 8192 pixels; scale it down", place_of("images", index, "")};
+  return false;
+}
+
+Result<tinygltf::Model> parse_model(std::string_view bytes, bool is_glb, const std::filesystem::path& path_of_folder) {
+  gltf::Folder folder(path_of_folder);
+  std::optional<Error> image_error;
+  tinygltf::TinyGLTF loader;
+  loader.SetFsCallbacks({&file_exists, &keep_path, &read_file, &refuse_to_write, &folder});
+  loader.SetImageLoader(&look_at_image, &image_error);
+  tinygltf::Model model;
+  std::string error;
+  std::string warning;
+  const std::string base = path_of_folder.empty() ? "." : path_of_folder.string();
+  const auto size = static_cast<unsigned>(bytes.size());
+  const bool is_loaded =
+      is_glb ? loader.LoadBinaryFromMemory(&model, &error, &warning,
+                                           static_cast<const unsigned char*>(static_cast<const void*>(bytes.data())),
+                                           size, base)
+             : loader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, base);
+  if (is_loaded) return model;
+  if (image_error) return tl::unexpected<Error>(*image_error);
+  if (folder.error()) return tl::unexpected<Error>(*folder.error());
+  std::ranges::replace(error, '\n', ' ');
+  return malformed("the file breaks the glTF format (" + error + "); export it again", "");
+}
+
+bool is_near(const std::vector<double>& values, std::span<const double> expected) {
+  return std::ranges::equal(values, expected,
+                            [](double a, double b) { return std::fabs(a - b) <= kIdentityTolerance; });
+}
+
+/// The translation of a node that neither rotates nor scales.
+Result<Vec3> rest_offset(const tinygltf::Node& node, const std::string& place) {
+  constexpr std::array<double, 4> kNoRotation = {0, 0, 0, 1};
+  constexpr std::array<double, 3> kNoScale = {1, 1, 1};
+  const auto is_size = [](const std::vector<double>& values, size_t size) {
+    return values.empty() || values.size() == size;
+  };
+  if (!is_size(node.matrix, 16) || !is_size(node.rotation, 4) || !is_size(node.scale, 3) ||
+      !is_size(node.translation, 3))
+    return malformed("the matrix, rotation, scale or translation has the wrong number of elements", place);
+  Vec3 offset(0.0);
+  if (!node.translation.empty()) offset = Vec3(node.translation[0], node.translation[1], node.translation[2]);
+  std::vector<double> rotation = node.rotation;
+  if (!rotation.empty() && rotation[3] < 0.0)
+    for (double& component : rotation)
+      component = -component;
+  bool is_upright =
+      (rotation.empty() || is_near(rotation, kNoRotation)) && (node.scale.empty() || is_near(node.scale, kNoScale));
+  if (!node.matrix.empty()) {
+    offset = Vec3(node.matrix[12], node.matrix[13], node.matrix[14]);
+    const std::array<double, 16> translation = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, offset.x, offset.y, offset.z, 1};
+    is_upright = is_near(node.matrix, translation);
+  }
+  if (!is_upright)
+    return unsupported(
+        "the node is rotated or scaled at rest; apply rotations and scales in a T-pose before you export", place);
+  return offset;
+}
+
+/// A node of the file and where its parent went.
+struct Visit {
+  int index = 0;
+  int parent = kNoNode;
+};
+
+/// The nodes of the scene, depth-first, children in file order; `sources` receives their indices in the file.
+Result<Skeleton> read_skeleton(const tinygltf::Model& model, const tinygltf::Scene& scene, std::vector<int>& sources) {
+  if (scene.nodes.size() != 1)
+    return unsupported("the scene must have one root node (spine_base), with all others below it", "scenes");
+  std::vector<bool> is_visited(model.nodes.size(), false);
+  std::vector<Node> nodes;
+  std::vector<Visit> waiting = {{.index = scene.nodes.front(), .parent = kNoNode}};
+  while (!waiting.empty()) {
+    const Visit visit = waiting.back();
+    waiting.pop_back();
+    if (visit.index < 0 || static_cast<size_t>(visit.index) >= model.nodes.size())
+      return malformed("a node names a child that does not exist", place_of("nodes", visit.index, ""));
+    const tinygltf::Node& source = model.nodes[static_cast<size_t>(visit.index)];
+    const std::string place = place_of("nodes", visit.index, source.name);
+    if (is_visited[static_cast<size_t>(visit.index)])
+      return malformed("the node has two parents or is its own ancestor", place);
+    is_visited[static_cast<size_t>(visit.index)] = true;
+    if (nodes.size() >= kMaxFigureNodes) return fail(ErrorCode::kLimit, "the figure has more than 4096 nodes", place);
+    if (source.skin >= 0)
+      return unsupported("the mesh is skinned; figures are made of rigid segments, one mesh a node", place);
+    const auto offset = rest_offset(source, place);
+    if (!offset) return tl::unexpected<Error>(offset.error());
+    const auto self = static_cast<int>(nodes.size());
+    nodes.push_back({.name = source.name, .parent = visit.parent, .offset = *offset});
+    sources.push_back(visit.index);
+    for (auto child = source.children.rbegin(); child != source.children.rend(); ++child)
+      waiting.push_back({.index = *child, .parent = self});
+  }
+  return Skeleton::build(std::move(nodes));
+}
+
+/// The base colour of a primitive's material in linear light; white without one.
+Result<glm::dvec3> base_colour(const tinygltf::Model& model, const tinygltf::Primitive& primitive,
+                               const std::string& place) {
+  if (primitive.material < 0) return glm::dvec3(1.0);
+  if (static_cast<size_t>(primitive.material) >= model.materials.size())
+    return malformed("the material of the mesh does not exist", place);
+  const std::vector<double>& factor =
+      model.materials[static_cast<size_t>(primitive.material)].pbrMetallicRoughness.baseColorFactor;
+  if (factor.size() != 4) return glm::dvec3(1.0);
+  return glm::dvec3(factor[0], factor[1], factor[2]);
+}
+
+std::optional<FaceChannel> face_channel(const tinygltf::Value& name) {
+  if (!name.IsString()) return std::nullopt;
+  const auto found = std::ranges::find(kFaceChannelNames, name.Get<std::string>());
+  if (found == kFaceChannelNames.end()) return std::nullopt;
+  return static_cast<FaceChannel>(found - kFaceChannelNames.begin());
+}
+
+Result<void> read_morphs(const tinygltf::Mesh& source, gltf::AccessorReader& reader, const std::string& place,
+                         Mesh& mesh) {
+  const std::vector<std::map<std::string, int>>& targets = source.primitives.front().targets;
+  if (targets.empty()) return {};
+  const tinygltf::Value& names = source.extras.Get("targetNames");
+  if (!names.IsArray() || names.ArrayLen() != targets.size())
+    return unsupported("the morph targets have no names; export them with extras.targetNames", place);
+  for (size_t i = 0; i < targets.size(); ++i) {
+    const std::optional<FaceChannel> channel = face_channel(names.Get(static_cast<int>(i)));
+    const auto position = targets[i].find("POSITION");
+    if (!channel || position == targets[i].end()) continue;
+    auto morph = reader.displacement(position->second, *channel, mesh.positions.size());
+    if (!morph) return tl::unexpected<Error>(std::move(morph.error()));
+    mesh.morphs.push_back(*std::move(morph));
+  }
+  return {};
+}
+
+Result<Mesh> read_mesh(const tinygltf::Model& model, int index, gltf::AccessorReader& reader) {
+  if (static_cast<size_t>(index) >= model.meshes.size())
+    return malformed("the mesh of a node does not exist", place_of("meshes", index, ""));
+  const tinygltf::Mesh& source = model.meshes[static_cast<size_t>(index)];
+  const std::string place = place_of("meshes", index, source.name);
+  if (source.primitives.size() != 1) return unsupported("a mesh needs exactly one primitive; join its parts", place);
+  const tinygltf::Primitive& primitive = source.primitives.front();
+  if (primitive.mode != gltf::kTriangles) return unsupported("the mesh is not a list of triangles", place);
+  const auto attribute = [&](const char* name) {
+    const auto found = primitive.attributes.find(name);
+    return found == primitive.attributes.end() ? std::optional<int>() : std::optional<int>(found->second);
+  };
+  const std::optional<int> position = attribute("POSITION");
+  const std::optional<int> normal = attribute("NORMAL");
+  const std::optional<int> colour = attribute("COLOR_0");
+  if (!position || !normal) return unsupported("the mesh lacks positions or normals; export both", place);
+
+  Mesh mesh;
+  auto positions = reader.vectors(*position);
+  if (!positions) return tl::unexpected<Error>(std::move(positions.error()));
+  mesh.positions = *std::move(positions);
+  auto normals = reader.vectors(*normal);
+  if (!normals) return tl::unexpected<Error>(std::move(normals.error()));
+  mesh.normals = *std::move(normals);
+  const auto factor = base_colour(model, primitive, place);
+  if (!factor) return tl::unexpected<Error>(factor.error());
+  if (colour) {
+    auto colours = reader.colours(*colour, *factor);
+    if (!colours) return tl::unexpected<Error>(std::move(colours.error()));
+    mesh.colours = *std::move(colours);
+  } else {
+    mesh.colours.assign(mesh.positions.size(),
+                        glm::u8vec4(gltf::srgb_from_fraction(factor->x), gltf::srgb_from_fraction(factor->y),
+                                    gltf::srgb_from_fraction(factor->z), 255));
+  }
+  if (primitive.indices >= 0) {
+    auto indices = reader.indices(primitive.indices);
+    if (!indices) return tl::unexpected<Error>(std::move(indices.error()));
+    mesh.indices = *std::move(indices);
+  } else {
+    mesh.indices.resize(mesh.positions.size());
+    std::iota(mesh.indices.begin(), mesh.indices.end(), 0U);
+  }
+  if (auto read = read_morphs(source, reader, place, mesh); !read)
+    return tl::unexpected<Error>(std::move(read.error()));
+  return mesh;
+}
+
+Result<Figure> build_figure(const tinygltf::Model& model) {
+  const int scene = std::max(model.defaultScene, 0);
+  if (static_cast<size_t>(scene) >= model.scenes.size()) return malformed("the file has no scene", "scenes");
+  Figure figure;
+  figure.name = model.scenes[static_cast<size_t>(scene)].name;
+  std::vector<int> sources;
+  auto skeleton = read_skeleton(model, model.scenes[static_cast<size_t>(scene)], sources);
+  if (!skeleton) return tl::unexpected<Error>(std::move(skeleton.error()));
+  figure.skeleton = *std::move(skeleton);
+  figure.segments.resize(sources.size());
+  gltf::AccessorReader reader(model);
+  for (size_t i = 0; i < sources.size(); ++i) {
+    const int mesh = model.nodes[static_cast<size_t>(sources[i])].mesh;
+    if (mesh < 0) continue;
+    auto read = read_mesh(model, mesh, reader);
+    if (!read) return tl::unexpected<Error>(std::move(read.error()));
+    figure.segments[i] = *std::move(read);
+  }
+  if (auto checked = check_figure(figure); !checked) return tl::unexpected<Error>(std::move(checked.error()));
+  return figure;
+}
+
+}  // namespace
+
+Result<Figure> parse_gltf(std::span<const std::byte> bytes, const std::filesystem::path& folder) {
+  const std::string_view text(static_cast<const char*>(static_cast<const void*>(bytes.data())), bytes.size());
+  if (text.size() > kMaxGltfBytes) return fail(ErrorCode::kLimit, "the file is longer than 64 MiB; make it smaller");
+  try {
+    const auto container = gltf::open_container(text);
+    if (!container) return tl::unexpected<Error>(container.error());
+    if (auto checked = gltf::check_document(*container); !checked)
+      return tl::unexpected<Error>(std::move(checked.error()));
+    const auto model = parse_model(text, container->is_glb, folder);
+    if (!model) return tl::unexpected<Error>(model.error());
+    return build_figure(*model);
+  } catch (const std::bad_alloc&) {
+    return fail(ErrorCode::kLimit, "there is not enough memory to read the file");
+  } catch (const std::exception& error) {
+    return malformed("the file breaks the glTF format (" + std::string(error.what()) + "); export it again", "");
+  }
+}
+
+Result<Figure> read_gltf(const std::filesystem::path& path) {
+  const auto bytes = read_whole_file(path, kMaxGltfBytes);
+  if (!bytes) return tl::unexpected<Error>(bytes.error());
+  auto figure = parse_gltf(std::as_bytes(std::span(*bytes)), path.parent_path());
+  if (!figure) {
+    std::string& place = figure.error().place;
+    place = place.empty() ? path.string() : path.string() + ": " + place;
+  }
+  return figure;
+}
+
+}  // namespace auslan
