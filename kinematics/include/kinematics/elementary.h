@@ -9,9 +9,9 @@ namespace auslan {
 inline constexpr double kPi = 3.14159265358979323846;
 inline constexpr double kDegree = kPi / 180.0;  ///< radians in a degree
 
-/// Within 4e-16 of the sine for |x| <= 1e4, within 1e-12 for |x| <= 1e9; 0 beyond that and for what is not finite.
+/// Within 4e-16 of the sine for |x| <= 1e6; 0 beyond that and for what is not finite.
 double sine(double x);
-/// As sine(); 1 beyond 1e9 and for what is not finite.
+/// As sine(); 1 beyond 1e6 and for what is not finite.
 double cosine(double x);
 /// Both at the price of little more than one.
 void sine_cosine(double x, double& s, double& c);

@@ -12,7 +12,7 @@ namespace auslan {
 
 /// Straight line between quaternions, the short way, renormalised: the right path at a varying speed. t in [0, 1].
 Quat lerp_normalised(const Quat& a, const Quat& b, double t);
-/// The short way at constant angular velocity (Shoemake 1985); below 1e-4 radians apart it is lerp_normalised, which
+/// The short way at constant angular velocity (Shoemake 1985); below 1e-6 radians apart it is lerp_normalised, which
 /// differs there by less than rounding. t in [0, 1].
 Quat slerp(const Quat& a, const Quat& b, double t);
 /// Straight line between Euler angles (radians by axis), turned into a quaternion: what the paper compares the two

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// An arm's bones and axes at rest: what arm_ik.cpp solves with and limits.cpp measures by.
+#pragma once
+
+#include "kinematics/anatomy.h"
+#include "kinematics/limits.h"
+
+namespace auslan {
+
+struct ArmGeometry {
+  Vec3 shoulder_offset;        ///< of the shoulder node from its parent, metres
+  Vec3 upper_bone, fore_bone;  ///< unit, shoulder to elbow and elbow to wrist
+  double upper_length = 0.0, fore_length = 0.0;
+  Vec3 hinge;              ///< axis of elbow flexion, perpendicular to the upper arm
+  double side_sign = 1.0;  ///< +1 left, -1 right
+};
+
+ArmGeometry arm_geometry(const Skeleton& skeleton, Side side);
+
+/// How a joint's local rotation is read as angles: undo `zero`, twist about `bone`, swing about the other two.
+struct JointAxes {
+  Vec3 bone, flexion, abduction;  ///< orthonormal, in the parent's frame
+  double twist_sign = 1.0;
+  Quat zero = kIdentity;  ///< the local rotation at which all angles are zero
+};
+
+JointAxes shoulder_axes(const ArmGeometry& arm);
+JointAxes elbow_axes(const ArmGeometry& arm);
+JointAxes wrist_axes(const HandFrame& hand, double side_sign);
+
+JointAngles angles_about(const JointAxes& axes, const Quat& local);
+Quat rotation_about(const JointAxes& axes, const JointAngles& angles);
+/// Square of what limit_violation returns.
+double squared_excess(const JointLimits& limits, const JointAngles& angles);
+
+/// The ranges of the three joints of an arm.
+JointLimits shoulder_limits();
+JointLimits elbow_limits();
+JointLimits wrist_limits();
+
+}  // namespace auslan
