@@ -313,7 +313,9 @@ case_failure_keeps_what_was_there() {
   printf 'what was there' >clip.mp4
   cp clip.mp4 picture.png
   AUSLANJAM_DATA=$work/nowhere run render hurt "${picture[@]}"
+  [[ $status == 1 ]] || wrong "exit 1 was due"
   AUSLANJAM_DATA=$work/nowhere run render hurt --size 64x48 -o clip.mp4
+  [[ $status == 1 ]] || wrong "exit 1 was due"
   cmp -s clip.mp4 picture.png && [[ $(<clip.mp4) == 'what was there' ]] || wrong "an older file was lost"
   [[ $(ls -A | sort | tr '\n' ' ') == 'clip.mp4 picture.png ' ]] || wrong "left behind: $(ls -A)"
 }
