@@ -9,6 +9,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <initializer_list>
 #include <map>
 
 namespace auslan {
@@ -39,11 +40,25 @@ std::string centimetres(double metres) {
   return decimal(plain / 100.0 == metres ? plain : metres * 100.0);
 }
 
+// Appending, not operator+: g++ 12 sees overlaps that are not there in "literal" + std::string.
 std::string list_of(const std::vector<std::string>& texts) {
   std::string out = "[";
-  for (const std::string& text : texts)
-    out += (out.size() > 1 ? ", " : "") + toml_string(text);
-  return out + "]";
+  for (const std::string& text : texts) {
+    if (out.size() > 1) out += ", ";
+    out += toml_string(text);
+  }
+  out += ']';
+  return out;
+}
+
+std::string numbers_of(std::initializer_list<std::string> numbers) {
+  std::string out = "[";
+  for (const std::string& number : numbers) {
+    if (out.size() > 1) out += ", ";
+    out += number;
+  }
+  out += ']';
+  return out;
 }
 
 /// Builds "{ key = value, … }".
@@ -52,13 +67,19 @@ class InlineTable {
   void add(std::string_view key, const std::string& value) {
     text_ += text_.empty() ? "" : ", ";
     text_ += key;
-    text_ += " = " + value;
+    text_ += " = ";
+    text_ += value;
   }
   void add_text(std::string_view key, std::string_view value) {
     if (!value.empty()) add(key, toml_string(value));
   }
   bool empty() const { return text_.empty(); }
-  std::string str() const { return "{ " + text_ + " }"; }
+  std::string str() const {
+    std::string out = "{ ";
+    out += text_;
+    out += " }";
+    return out;
+  }
 
  private:
   std::string text_;
@@ -66,7 +87,9 @@ class InlineTable {
 
 void line(std::string& out, std::string_view key, const std::string& value) {
   out += key;
-  out += " = " + value + "\n";
+  out += " = ";
+  out += value;
+  out += '\n';
 }
 
 void text_line(std::string& out, std::string_view key, std::string_view value) {
@@ -90,8 +113,8 @@ std::string posture_text(const Posture& posture) {
   table.add_text("palm", to_name(posture.palm));
   table.add_text("at", to_name(posture.location));
   if (posture.offset != Vec3(0.0))
-    table.add("offset_cm", "[" + centimetres(posture.offset.x) + ", " + centimetres(posture.offset.y) + ", " +
-                               centimetres(posture.offset.z) + "]");
+    table.add("offset_cm", numbers_of({centimetres(posture.offset.x), centimetres(posture.offset.y),
+                                       centimetres(posture.offset.z)}));
   if (posture.contact) {
     InlineTable contact;
     contact.add_text("kind", to_name(posture.contact->kind));
@@ -128,13 +151,13 @@ void write_array(std::string& out, std::string_view key, const std::vector<T>& i
 
 std::string keyword_text(const Keyword& keyword) {
   std::string text = keyword.word;
-  if (!keyword.part_of_speech.empty() || keyword.rank != 0) text += ":" + keyword.part_of_speech;
-  if (keyword.rank != 0) text += ":" + std::to_string(keyword.rank);
+  if (!keyword.part_of_speech.empty() || keyword.rank != 0) (text += ':') += keyword.part_of_speech;
+  if (keyword.rank != 0) (text += ':') += std::to_string(keyword.rank);
   return text;
 }
 
 void write_sign(std::string& out, const Sign& sign, const std::vector<std::string>& english) {
-  out += "\n[[" + sign.kind + "]]\n";
+  ((out += "\n[[") += sign.kind) += "]]\n";
   text_line(out, "gloss", sign.gloss);
   if (!english.empty()) line(out, "english", list_of(english));
   if (sign.region != "all") text_line(out, "region", sign.region);
@@ -163,8 +186,7 @@ void write_handshape(std::string& out, const Handshape& shape) {
   constexpr std::array<std::string_view, 4> kFingers = {"index", "middle", "ring", "little"};
   for (size_t i = 0; i < kFingers.size(); ++i) {
     const FingerAngles& f = shape.fingers[i];
-    line(out, kFingers[i],
-         "[" + decimal(f.mcp) + ", " + decimal(f.pip) + ", " + decimal(f.dip) + ", " + decimal(f.abduction) + "]");
+    line(out, kFingers[i], numbers_of({decimal(f.mcp), decimal(f.pip), decimal(f.dip), decimal(f.abduction)}));
   }
   InlineTable thumb;
   thumb.add("radial", decimal(shape.thumb.radial_abduction));

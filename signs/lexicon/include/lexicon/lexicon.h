@@ -72,6 +72,8 @@ class Lexicon {
   Result<std::optional<Sign>> number(long long value) const;
   Result<std::optional<Handshape>> handshape(std::string_view id) const;
 
+  /// Keywords and phrases that could not be read and were left out; check() repeats them.
+  const std::vector<Finding>& damaged() const;
   /// All keywords, by word, then part of speech, then rank.
   const std::vector<Keyword>& keywords() const;
   /// All phrases in the order of the text.

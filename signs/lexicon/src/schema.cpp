@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "schema.h"
+
+#include "lexicon/face_words.h"
+#include "phonology/vocabulary.h"
+
+namespace auslan {
+namespace {
+
+/// "CHECK (column IN ('a', 'b'))"; the empty string is let in for words that may be absent.
+std::string check_in(std::string_view column, std::span<const std::string_view> words, bool or_empty = false) {
+  std::string sql = "CHECK (";
+  sql += column;
+  sql += " IN (";
+  if (or_empty) sql += "''";
+  for (size_t i = 0; i < words.size(); ++i) {
+    if (i > 0 || or_empty) sql += ", ";
+    sql += '\'';
+    sql += words[i];
+    sql += '\'';
+  }
+  sql += "))";
+  return sql;
+}
+
+template <typename E>
+std::string vocabulary(std::string_view column) {
+  return "TEXT NOT NULL " + check_in(column, names_of<E>());
+}
+
+template <typename E>
+std::string optional_vocabulary(std::string_view column) {
+  return "TEXT " + check_in(column, names_of<E>());
+}
+
+std::string face(FaceChannel channel) {
+  return "TEXT NOT NULL " + check_in(channel_name(channel), face_words(channel), true);
+}
+
+std::string provenance() {
+  return "  sources TEXT NOT NULL,\n"
+         "  form_evidence TEXT NOT NULL,\n"
+         "  movement_evidence TEXT NOT NULL,\n"
+         "  confidence " +
+         vocabulary<Confidence>("confidence") + ",\n" + "  review " + vocabulary<ReviewState>("review") + ",\n" +
+         "  reviewed_by TEXT NOT NULL CHECK ((reviewed_by = '') = (review = 'unreviewed')),\n"
+         "  reviewed_on TEXT NOT NULL CHECK ((reviewed_on = '') = (review = 'unreviewed'))";
+}
+
+}  // namespace
+
+std::vector<TableSchema> lexicon_tables() {
+  using enum FaceChannel;
+  std::vector<TableSchema> tables;
+  tables.push_back({"handshape",
+                    "CREATE TABLE handshape (\n"
+                    "  id TEXT PRIMARY KEY NOT NULL,\n"
+                    "  position INTEGER NOT NULL UNIQUE,\n"
+                    "  name TEXT NOT NULL,\n"
+                    "  base TEXT NOT NULL REFERENCES handshape (id) DEFERRABLE INITIALLY DEFERRED,\n"
+                    "  selected TEXT NOT NULL,\n"
+                    "  thumb_radial REAL NOT NULL,\n"
+                    "  thumb_palmar REAL NOT NULL,\n"
+                    "  thumb_opposition REAL NOT NULL CHECK (thumb_opposition BETWEEN 0 AND 1),\n"
+                    "  thumb_mp REAL NOT NULL,\n"
+                    "  thumb_ip REAL NOT NULL,\n"
+                    "  hamnosys TEXT NOT NULL,\n"
+                    "  description TEXT NOT NULL,\n"
+                    "  aliases TEXT NOT NULL,\n" +
+                        provenance() + ") STRICT"});
+  tables.push_back({"finger",
+                    "CREATE TABLE finger (\n"
+                    "  handshape TEXT NOT NULL REFERENCES handshape (id) ON DELETE CASCADE,\n"
+                    "  digit INTEGER NOT NULL CHECK (digit BETWEEN 0 AND 3),\n"
+                    "  mcp REAL NOT NULL,\n"
+                    "  pip REAL NOT NULL,\n"
+                    "  dip REAL NOT NULL,\n"
+                    "  abduction REAL NOT NULL,\n"
+                    "  PRIMARY KEY (handshape, digit)) STRICT, WITHOUT ROWID"});
+  tables.push_back({"sign",
+                    "CREATE TABLE sign (\n"
+                    "  gloss TEXT PRIMARY KEY NOT NULL,\n"
+                    "  position INTEGER NOT NULL UNIQUE,\n"
+                    "  kind TEXT NOT NULL CHECK (kind IN ('sign', 'letter', 'number')),\n"
+                    "  category TEXT NOT NULL,\n"
+                    "  region TEXT NOT NULL,\n"
+                    "  definition TEXT NOT NULL CHECK (definition <> ''),\n"
+                    "  handedness " +
+                        vocabulary<Handedness>("handedness") + ",\n" + "  brows " + face(kBrows) + ",\n" + "  eyes " +
+                        face(kEyes) + ",\n" + "  mouth " + face(kMouth) + ",\n" + "  cheeks " + face(kCheeks) + ",\n" +
+                        "  head " + face(kHead) + ",\n" + "  shoulders " + face(kShoulders) + ",\n" + "  gaze " +
+                        face(kGaze) + ",\n" + "  face " + face(kFace) + ",\n" + "  mouthing TEXT NOT NULL,\n" +
+                        provenance() + ") STRICT"});
+  tables.push_back({"posture",
+                    "CREATE TABLE posture (\n"
+                    "  gloss TEXT NOT NULL REFERENCES sign (gloss) ON DELETE CASCADE,\n"
+                    "  hand TEXT NOT NULL CHECK (hand IN ('dominant', 'base')),\n"
+                    "  phase INTEGER NOT NULL CHECK (phase BETWEEN 0 AND 11),\n"
+                    "  handshape TEXT NOT NULL REFERENCES handshape (id),\n"
+                    "  fingers TEXT NOT NULL,\n"
+                    "  palm TEXT NOT NULL,\n"
+                    "  location " +
+                        vocabulary<Location>("location") + ",\n" +
+                        "  offset_left REAL NOT NULL,\n"
+                        "  offset_up REAL NOT NULL,\n"
+                        "  offset_away REAL NOT NULL,\n"
+                        "  contact " +
+                        optional_vocabulary<ContactKind>("contact") + ",\n" + "  contact_part " +
+                        optional_vocabulary<HandPart>("contact_part") + ",\n" + "  contact_target " +
+                        optional_vocabulary<Location>("contact_target") + ",\n" +
+                        "  PRIMARY KEY (gloss, hand, phase)) STRICT, WITHOUT ROWID"});
+  tables.push_back({"movement",
+                    "CREATE TABLE movement (\n"
+                    "  gloss TEXT NOT NULL REFERENCES sign (gloss) ON DELETE CASCADE,\n"
+                    "  position INTEGER NOT NULL,\n"
+                    "  kind " +
+                        vocabulary<MoveKind>("kind") + ",\n" +
+                        "  direction TEXT,\n"
+                        "  size " +
+                        vocabulary<Size>("size") + ",\n" +
+                        "  repeats INTEGER NOT NULL CHECK (repeats BETWEEN 1 AND 10),\n"
+                        "  hands " +
+                        vocabulary<MovingHands>("hands") + ",\n" + "  manner " + vocabulary<Manner>("manner") + ",\n" +
+                        "  plane " + vocabulary<Plane>("plane") + ",\n" +
+                        "  from_phase INTEGER NOT NULL CHECK (from_phase >= 0),\n"
+                        "  to_phase INTEGER NOT NULL CHECK (to_phase >= from_phase),\n"
+                        "  PRIMARY KEY (gloss, position)) STRICT, WITHOUT ROWID"});
+  tables.push_back({"keyword",
+                    "CREATE TABLE keyword (\n"
+                    "  position INTEGER PRIMARY KEY NOT NULL,\n"
+                    "  word TEXT NOT NULL CHECK (word <> ''),\n"
+                    "  part_of_speech TEXT NOT NULL " +
+                        check_in("part_of_speech", parts_of_speech(), true) + ",\n" +
+                        "  gloss TEXT NOT NULL REFERENCES sign (gloss) ON DELETE CASCADE,\n"
+                        "  rank INTEGER NOT NULL CHECK (rank BETWEEN 0 AND 99),\n"
+                        "  UNIQUE (word, part_of_speech, rank)) STRICT"});
+  tables.push_back({"phrase",
+                    "CREATE TABLE phrase (\n"
+                    "  id TEXT PRIMARY KEY NOT NULL,\n"
+                    "  position INTEGER NOT NULL UNIQUE,\n"
+                    "  domain TEXT NOT NULL,\n"
+                    "  english TEXT NOT NULL CHECK (english <> ''),\n"
+                    "  notes TEXT NOT NULL,\n" +
+                        provenance() + ") STRICT"});
+  tables.push_back({"phrase_item",
+                    "CREATE TABLE phrase_item (\n"
+                    "  phrase TEXT NOT NULL REFERENCES phrase (id) ON DELETE CASCADE,\n"
+                    "  position INTEGER NOT NULL,\n"
+                    "  item TEXT NOT NULL CHECK (item <> ''),\n"
+                    "  PRIMARY KEY (phrase, position)) STRICT, WITHOUT ROWID"});
+  tables.push_back({"phrase_span",
+                    "CREATE TABLE phrase_span (\n"
+                    "  phrase TEXT NOT NULL REFERENCES phrase (id) ON DELETE CASCADE,\n"
+                    "  position INTEGER NOT NULL,\n"
+                    "  kind TEXT NOT NULL " +
+                        check_in("kind", span_kinds()) + ",\n" +
+                        "  from_item INTEGER NOT NULL CHECK (from_item >= 0),\n"
+                        "  to_item INTEGER NOT NULL CHECK (to_item >= from_item),\n"
+                        "  brows " +
+                        face(kBrows) + ",\n" + "  head " + face(kHead) + ",\n" + "  gaze " + face(kGaze) + ",\n" +
+                        "  mouth " + face(kMouth) + ",\n" + "  eyes " + face(kEyes) + ",\n" +
+                        "  ending TEXT NOT NULL " + check_in("ending", span_endings(), true) + ",\n" +
+                        "  PRIMARY KEY (phrase, position)) STRICT, WITHOUT ROWID"});
+  return tables;
+}
+
+}  // namespace auslan

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// The tables of the database. Vocabulary is stored by name and held by CHECKs; references are foreign keys.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace auslan {
+
+struct TableSchema {
+  std::string_view name;
+  std::string sql;  ///< the CREATE TABLE statement, byte for byte as SQLite keeps it
+};
+
+/// All tables, in the order in which they are made.
+std::vector<TableSchema> lexicon_tables();
+
+}  // namespace auslan
