@@ -29,6 +29,9 @@ class AtomicFile {
   Result<void> write(std::string_view text);
   /// Replaces bytes that were already written. kUnwritable on a device or pipe too.
   Result<void> overwrite(uint64_t offset, std::string_view text);
+  /// Syncs and closes the temporary, which waits for commit(): for sets of files that appear together. Nothing more can
+  /// be written. No effect on a device or pipe.
+  Result<void> suspend();
   /// Syncs and renames onto the target. Afterwards the object is done.
   Result<void> commit();
 
@@ -45,6 +48,7 @@ class AtomicFile {
   std::string target_;     ///< path_ with symbolic links followed
   std::string temporary_;  ///< empty when written directly
   int descriptor_ = -1;
+  bool suspended_ = false;
 };
 
 /// "cannot write PATH: REASON; ADVICE", from an errno value.
