@@ -14,10 +14,20 @@ namespace {
 constexpr size_t kFirstArmName = 3;
 constexpr size_t kNamesPerArm = 18;
 
-// A thumb that lies alongside the index presses its pad half against it: the nail of a flat hand is tilted by 45
-// degrees.
-constexpr double kPadAtZero = 45.0 * kDegree;
+// How ThumbPose's angles become directions. The numbers were fitted to pictures of a hand of measured bones: the thumb
+// of a closed hand lies on the fingers, that of a pinch meets the index, with the angles that handshape tables give.
+//
+// A thumb alongside the index clears it by this much, and its pad is turned so from the index to where the palm faces.
+constexpr double kClearance = 6.0 * kDegree;
+constexpr double kPadAtZero = 50.0 * kDegree;
 constexpr double kFullOpposition = 90.0 * kDegree;
+// The saddle joint does not pronate on the spot: opposition swings the metacarpal across, and from about half of it
+// carries it out of the palm's plane, to this elevation whatever the palmar abduction.
+constexpr double kOpposedAdduction = 20.0 * kDegree;
+constexpr double kOpposedElevation = 53.0 * kDegree;
+constexpr double kCarryStart = 0.45;
+constexpr double kCarryEnd = 0.75;
+constexpr double kCarryShare = 0.9;
 
 constexpr double kSpreadFadeStart = 50.0 * kDegree;
 constexpr double kSpreadFadeEnd = 90.0 * kDegree;
@@ -32,26 +42,55 @@ Vec3 perpendicular_part(const Vec3& v, const Vec3& unit_axis) {
   return v - unit_axis * glm::dot(v, unit_axis);
 }
 
-// Direction and pad of the metacarpal; both unit and perpendicular.
-struct ThumbDirections {
-  Vec3 bone, pad;
+// The metacarpal on the sphere about the cmc joint: longitude in the palm's plane from the index to the thumb's side,
+// elevation to where the palm faces, and the angle of the pad from the index's side to the palm's.
+struct ThumbSphere {
+  double longitude = 0.0, elevation = 0.0, roll = 0.0;
 };
 
-ThumbDirections thumb_directions(const HandGeometry& hand, const ThumbCarriage& carriage) {
-  double s = 0.0;
-  double c = 0.0;
-  sine_cosine(carriage.radial_abduction, s, c);
-  const Vec3 along = hand.thumb_zero * c + hand.thumb_out * s;
-  const Vec3 out = hand.thumb_out * c - hand.thumb_zero * s;
-  sine_cosine(carriage.palmar_abduction, s, c);
-  const Vec3 bone = along * c + hand.frame.palm * s;
-  const Vec3 palmar = hand.frame.palm * c - along * s;
-  sine_cosine(kPadAtZero - carriage.opposition * kFullOpposition, s, c);
-  return {bone, palmar * s - out * c};
+double carried(double opposition) {
+  return kCarryShare * smooth_step(kCarryStart, kCarryEnd, opposition);
 }
 
-// The two abductions at which the metacarpal has a direction.
-ThumbCarriage carriage_of_bone(const HandGeometry& hand, const Vec3& bone) {
+ThumbSphere sphere_of(const ThumbCarriage& carriage) {
+  const double share = carried(carriage.opposition);
+  return {carriage.radial_abduction + kClearance - kOpposedAdduction * carriage.opposition,
+          carriage.palmar_abduction + share * (kOpposedElevation - carriage.palmar_abduction),
+          kPadAtZero - kFullOpposition * carriage.opposition};
+}
+
+ThumbCarriage carriage_of(const ThumbSphere& sphere) {
+  ThumbCarriage carriage;
+  carriage.opposition = (kPadAtZero - sphere.roll) / kFullOpposition;
+  const double share = carried(carriage.opposition);
+  carriage.radial_abduction = sphere.longitude - kClearance + kOpposedAdduction * carriage.opposition;
+  carriage.palmar_abduction = (sphere.elevation - share * kOpposedElevation) / (1.0 - share);
+  return carriage;
+}
+
+// Direction of the metacarpal and what its pad's angle is counted between; all unit, at right angles.
+struct ThumbDirections {
+  Vec3 bone, to_index, to_palm;
+};
+
+ThumbDirections thumb_directions(const HandGeometry& hand, const ThumbSphere& sphere) {
+  double s = 0.0;
+  double c = 0.0;
+  sine_cosine(sphere.longitude, s, c);
+  const Vec3 along = hand.thumb_zero * c + hand.thumb_out * s;
+  const Vec3 to_index = hand.thumb_zero * s - hand.thumb_out * c;
+  sine_cosine(sphere.elevation, s, c);
+  return {along * c + hand.frame.palm * s, to_index, hand.frame.palm * c - along * s};
+}
+
+Vec3 pad_of(const ThumbDirections& directions, double roll) {
+  double s = 0.0;
+  double c = 0.0;
+  sine_cosine(roll, s, c);
+  return directions.to_index * c + directions.to_palm * s;
+}
+
+ThumbSphere sphere_of_bone(const HandGeometry& hand, const Vec3& bone) {
   const double x = glm::dot(bone, hand.thumb_zero);
   const double y = glm::dot(bone, hand.thumb_out);
   return {arc_tangent(y, x), arc_tangent(glm::dot(bone, hand.frame.palm), std::sqrt(x * x + y * y)), 0.0};
@@ -120,7 +159,7 @@ HandGeometry hand_geometry(const Skeleton& skeleton, const ArmNodes& nodes, Side
       unit(perpendicular_part(perpendicular_part(frame.radial, frame.palm), hand.thumb_zero), frame.radial);
   hand.thumb_bone = bone(0, 0, hand.thumb_zero);
   // Nothing in the joints' places says where a straight thumb's pad faces: a figure at rest is taken not to oppose it.
-  hand.thumb_pad = thumb_directions(hand, carriage_of_bone(hand, hand.thumb_bone)).pad;
+  hand.thumb_pad = pad_of(thumb_directions(hand, sphere_of_bone(hand, hand.thumb_bone)), kPadAtZero);
   const Vec3 phalanx = bone(0, 1, hand.thumb_bone);
   hand.thumb_mp_straight = rotation_between(phalanx, hand.thumb_bone);
   hand.thumb_mp_axis = glm::cross(hand.thumb_bone, hand.thumb_pad);
@@ -129,18 +168,17 @@ HandGeometry hand_geometry(const Skeleton& skeleton, const ArmNodes& nodes, Side
 }
 
 Quat thumb_rotation(const HandGeometry& hand, const ThumbCarriage& carriage) {
-  const ThumbDirections to = thumb_directions(hand, carriage);
-  return rotation_between_frames(hand.thumb_bone, hand.thumb_pad, to.bone, to.pad);
+  const ThumbSphere sphere = sphere_of(carriage);
+  const ThumbDirections to = thumb_directions(hand, sphere);
+  return rotation_between_frames(hand.thumb_bone, hand.thumb_pad, to.bone, pad_of(to, sphere.roll));
 }
 
 ThumbCarriage thumb_carriage(const HandGeometry& hand, const Quat& local) {
-  ThumbCarriage carriage = carriage_of_bone(hand, local * hand.thumb_bone);
-  const ThumbDirections zero = thumb_directions(hand, carriage);
+  ThumbSphere sphere = sphere_of_bone(hand, local * hand.thumb_bone);
+  const ThumbDirections directions = thumb_directions(hand, sphere);
   const Vec3 pad = local * hand.thumb_pad;
-  // Pronation turns the zero pad towards its cross product with the bone or away from it, by the side of the body.
-  const Vec3 quarter = thumb_directions(hand, {carriage.radial_abduction, carriage.palmar_abduction, 1.0}).pad;
-  carriage.opposition = arc_tangent(glm::dot(pad, quarter), glm::dot(pad, zero.pad)) / kFullOpposition;
-  return carriage;
+  sphere.roll = arc_tangent(glm::dot(pad, directions.to_palm), glm::dot(pad, directions.to_index));
+  return carriage_of(sphere);
 }
 
 void pose_hand(const Skeleton& skeleton, Side side, const HandAngles& angles, Pose& pose) {

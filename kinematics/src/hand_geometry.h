@@ -23,7 +23,7 @@ struct HandGeometry {
   Vec3 spread_axis;  ///< a positive turn about it leads from the fingers' direction to the thumb's side
   std::array<FingerAxes, 4> fingers;
 
-  Vec3 thumb_zero;         ///< direction of the metacarpal at radial = palmar = 0
+  Vec3 thumb_zero;         ///< along the index's metacarpal, in the palm's plane
   Vec3 thumb_out;          ///< in the palm's plane, perpendicular to it, to the thumb's side
   Vec3 thumb_bone;         ///< cmc to mp at rest
   Vec3 thumb_pad;          ///< rest_thumb_pad

@@ -49,7 +49,10 @@ struct DigitAngles {
 struct ThumbPose {
   double radial_abduction = 0.0;  ///< out to the side in the plane of the palm; 65 degrees in a thumbs-up
   double palmar_abduction = 0.0;  ///< out of that plane to where the palm faces
-  double opposition = 0.0;    ///< 0 to 1: pronation about the metacarpal, 90 degrees in all, pad towards the fingers
+  /// 0 to 1: pronation about the metacarpal, 90 degrees in all, pad towards the fingers. It swings the metacarpal up to
+  /// 20 degrees across the palm, and from about half of it carries it out to an elevation of 53 degrees, as the saddle
+  /// joint does, whatever little palmar abduction is asked for.
+  double opposition = 0.0;
   double mp = 0.0, ip = 0.0;  ///< flexion towards the pad
 };
 
