@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "command_line.h"
+
+#include "auslanjam_version.h"
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <iostream>
+#include <string_view>
+
+namespace auslan {
+namespace {
+
+constexpr std::string_view kDescription =
+    "English in, Australian Sign Language (Auslan) out, signed by a 3D figure that is drawn on the CPU.\n"
+    "No Deaf signer has checked these signs yet: what is signed carries a mark that says so.\n";
+constexpr std::string_view kExamples =
+    "\nExamples:\n"
+    "  auslanjam \"Where does it hurt?\"                    sign it, in a window or into a clip\n"
+    "  auslanjam render \"Hello, my name is Kim.\" -o k.mp4  the same into a film file\n"
+    "  auslanjam render --gloss HURT --at 0.9 -o h.png     one frame\n"
+    "  auslanjam motion \"Thank you\" -o t.jsonl             the motion itself\n"
+    "  auslanjam translate \"I do not understand.\"          the glosses and why\n"
+    "  auslanjam db search hospital                        look a sign up\n"
+    "`auslanjam COMMAND --help` tells what each takes. Exit status: 0 done, 1 the work failed, 2 the command line was "
+    "wrong.\n";
+
+constexpr std::array<std::string_view, 6> kCommands = {"sign", "render", "motion", "translate", "db", "experiment"};
+
+/// A whole number in a range, or a message that names it.
+std::string parse_int(const std::string& text, int least, int most, int& value) {
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (result.ec == std::errc() && result.ptr == text.data() + text.size() && value >= least && value <= most) return {};
+  return "takes a whole number from " + std::to_string(least) + " to " + std::to_string(most) + ", not \"" + text +
+         "\"";
+}
+
+std::string parse_number(const std::string& text, double least, double most, double& value) {
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (result.ec == std::errc() && result.ptr == text.data() + text.size() && value >= least && value <= most) return {};
+  const auto plain = [](double number) {
+    std::string digits = std::to_string(number);
+    digits.erase(digits.find_last_not_of('0') + 1);
+    if (digits.back() == '.') digits.pop_back();
+    return digits;
+  };
+  return "takes a number from " + plain(least) + " to " + plain(most) + ", not \"" + text + "\"";
+}
+
+std::string parse_size(const std::string& text, StageOptions& stage) {
+  const size_t cross = text.find('x');
+  int width = 0, height = 0;
+  if (cross == std::string::npos || !parse_int(text.substr(0, cross), 1, 16384, width).empty() ||
+      !parse_int(text.substr(cross + 1), 1, 16384, height).empty())
+    return "takes WIDTHxHEIGHT in pixels, each from 1 to 16384, as 1280x720, not \"" + text + "\"";
+  stage.width = width;
+  stage.height = height;
+  return {};
+}
+
+/// Adds an option whose text `parse` turns into a value; it returns what is wrong, or nothing.
+template <typename Parse>
+CLI::Option* add_parsed(CLI::App& app, const std::string& name, const std::string& help, const std::string& type,
+                        Parse parse) {
+  CLI::Option* option = app.add_option_function<std::string>(
+      name,
+      [name, parse](const std::string& text) {
+        const std::string wrong = parse(text);
+        if (!wrong.empty()) throw CLI::ValidationError(name, wrong);
+      },
+      help);
+  option->type_name(type);
+  return option;
+}
+
+void add_source(CLI::App& app, Options& options) {
+  app.add_option("TEXT", options.source.text, "English to sign; quote it");
+  app.add_option("--gloss", options.source.glosses, "Entries to sign in place of TEXT, as --gloss HELLO")
+      ->type_name("GLOSS");
+  app.add_option("--motion", options.source.motion_file, "A motion file (.jsonl) to play in place of TEXT")
+      ->type_name("FILE");
+}
+
+void add_performance(CLI::App& app, Options& options) {
+  add_parsed(app, "--fps", "Frames a second (25)", "N",
+             [&options](const std::string& text) { return parse_int(text, 1, 240, options.fps); });
+  add_parsed(app, "--speed", "Of the signing: 0.5 is half as fast (1)", "X",
+             [&options](const std::string& text) { return parse_number(text, 0.25, 4.0, options.speed); });
+  app.add_flag("--left-handed", options.left_handed, "A left-handed signer: the exact mirror image");
+  app.add_flag("!--no-idle", options.idle, "No breathing and blinking");
+  add_parsed(app, "--seed", "Of the idle motion (1)", "N", [&options](const std::string& text) {
+    const auto result = std::from_chars(text.data(), text.data() + text.size(), options.seed);
+    if (result.ec == std::errc() && result.ptr == text.data() + text.size()) return std::string();
+    return "takes a whole number, not \"" + text + "\"";
+  });
+  app.add_option("--avatar", options.avatar, "Another figure (.glb, .gltf or a baked .figure)")->type_name("FILE");
+  add_parsed(app, "--at", "Only the frame at this time", "SECONDS", [&options](const std::string& text) {
+    double at = 0;
+    std::string wrong = parse_number(text, 0.0, 86400.0, at);
+    if (wrong.empty()) options.at = at;
+    return wrong;
+  });
+}
+
+void add_picture(CLI::App& app, Options& options) {
+  add_parsed(app, "--size", "Of the picture in pixels (1280x720)", "WxH",
+             [&options](const std::string& text) { return parse_size(text, options.stage); });
+  add_parsed(app, "--aa", "Anti-aliasing samples a pixel: 1, 2, 4 or 8 (4)", "N",
+             [&options](const std::string& text) -> std::string {
+               for (const int samples : {1, 2, 4, 8}) {
+                 if (text != std::to_string(samples)) continue;
+                 options.stage.samples = samples;
+                 return {};
+               }
+               return "takes 1, 2, 4 or 8, not \"" + text + "\"";
+             });
+  add_parsed(app, "--shading", "flat or gouraud (gouraud)", "NAME", [&options](const std::string& text) -> std::string {
+    if (text != "flat" && text != "gouraud") return "takes flat or gouraud, not \"" + text + "\"";
+    options.stage.flat = text == "flat";
+    return {};
+  });
+  add_parsed(app, "--camera", "front, three-quarter, side, signer, hands or face (front)", "NAME",
+             [&options](const std::string& text) -> std::string {
+               const auto camera = camera_from_name(text);
+               if (!camera) return "takes front, three-quarter, side, signer, hands or face, not \"" + text + "\"";
+               options.stage.camera = *camera;
+               return {};
+             });
+  app.add_flag("--caption", options.caption, "Write the English under the picture");
+  add_parsed(app, "--threads", "How many frames are drawn at once (1)", "N",
+             [&options](const std::string& text) { return parse_int(text, 1, 64, options.threads); });
+}
+
+void add_common(CLI::App& app, Options& options) {
+  app.add_option("--db", options.database, "Another lexicon database")->type_name("FILE");
+  app.add_flag("--quiet", options.quiet, "No progress, no remarks");
+  app.add_flag("--json", options.json, "Answer as JSON on stdout");
+}
+
+bool is_blank(const std::string& text) {
+  return text.find_first_not_of(" \t\r\n\v\f") == std::string::npos;
+}
+
+/// What only makes sense together.
+std::string check(const Options& options) {
+  const Source& source = options.source;
+  const int sources = (source.text ? 1 : 0) + (source.glosses.empty() ? 0 : 1) + (source.motion_file ? 1 : 0);
+  switch (options.command) {
+    case Command::kSign:
+    case Command::kRender:
+    case Command::kMotion:
+    case Command::kTranslate:
+      if (sources == 0) return "there is no TEXT to sign: give English in quotes, as auslanjam \"Where does it hurt?\"";
+      if (sources > 1) return "give only one of TEXT, --gloss and --motion";
+      if (source.text && is_blank(*source.text)) return "the TEXT is empty: give English to sign";
+      break;
+    default:
+      break;
+  }
+  if (options.command == Command::kTranslate && source.motion_file)
+    return "translate takes TEXT; --motion has no English";
+  if (options.command == Command::kRender && options.output.empty() && !options.hash)
+    return "render needs -o OUTPUT (.mp4 .webm .webp .gif .y4m .png) or --hash";
+  if (options.command == Command::kMotion && options.output.empty()) return "motion needs -o OUTPUT (.jsonl or .bvh)";
+  if (options.command == Command::kExperiment && options.output.empty()) return "experiment needs -o FOLDER";
+  return {};
+}
+
+}  // namespace
+
+std::variant<Options, ExitNow> parse_command_line(int argc, const char* const* argv) {
+  Options options;
+  CLI::App app(std::string(kDescription), "auslanjam");
+  app.footer(std::string(kExamples));
+  app.set_version_flag("--version", AUSLANJAM_VERSION);
+  app.require_subcommand(1);
+  app.failure_message([](const CLI::App* failed, const CLI::Error& error) {
+    return "auslanjam: " + std::string(error.what()) + "\n`" + failed->get_name() + " --help` tells how to use it\n";
+  });
+
+  CLI::App* sign =
+      app.add_subcommand("sign", "Sign it: in a window where there is a display, else into a clip (says where)");
+  add_source(*sign, options);
+  sign->add_option("-o,--output", options.output, "Where the clip goes, and no window")->type_name("FILE");
+  CLI::App* render = app.add_subcommand("render", "Sign it into a film or picture file");
+  add_source(*render, options);
+  render
+      ->add_option("-o,--output", options.output,
+                   ".mp4 .webm .webp .gif .y4m, or .png (a numbered sequence, or one picture with --at)")
+      ->type_name("FILE");
+  render->add_flag("--hash", options.hash, "Print a digest of each frame's pixels");
+  for (CLI::App* sub : {sign, render}) {
+    add_performance(*sub, options);
+    add_picture(*sub, options);
+  }
+  CLI::App* motion = app.add_subcommand("motion", "Write the motion itself");
+  add_source(*motion, options);
+  motion->add_option("-o,--output", options.output, ".jsonl or .bvh")->type_name("FILE");
+  add_performance(*motion, options);
+  CLI::App* translate = app.add_subcommand("translate", "Show the glosses and the rule behind each");
+  add_source(*translate, options);
+  CLI::App* experiment =
+      app.add_subcommand("experiment", "Repeat the paper's interpolation experiment: tables, plots, pictures");
+  experiment->add_option("-o,--output", options.output, "The folder to fill; it is made when missing")
+      ->type_name("FOLDER");
+  experiment->add_option("--avatar", options.avatar, "Another figure")->type_name("FILE");
+  CLI::App* db = app.add_subcommand("db", "Look into the lexicon");
+  db->require_subcommand(1);
+  CLI::App* list = db->add_subcommand("list", "List the entries");
+  list->add_option("--kind", options.kind, "sign, letter or number")
+      ->check(CLI::IsMember({"sign", "letter", "number"}));
+  list->add_option("--category", options.category, "Only this category")->type_name("NAME");
+  list->add_option("--region", options.region, "Only this region")->type_name("NAME");
+  CLI::App* show = db->add_subcommand("show", "Show whole entries");
+  show->add_option("GLOSS", options.words, "Which")->required();
+  CLI::App* search = db->add_subcommand("search", "Search glosses, English words and definitions");
+  search->add_option("WORDS", options.words, "What to look for")->required();
+  CLI::App* check_db = db->add_subcommand("check", "Check the database against its rules");
+  for (CLI::App* sub : {sign, render, motion, translate, experiment, list, show, search, check_db})
+    add_common(*sub, options);
+
+  // `auslanjam TEXT` is `auslanjam sign TEXT`.
+  std::vector<std::string> arguments(argv + 1, argv + argc);
+  const auto is_command = [](const std::string& word) {
+    for (const std::string_view command : kCommands)
+      if (word == command) return true;
+    return word == "--help" || word == "-h" || word == "--version";
+  };
+  if (arguments.empty()) {
+    std::cerr << app.help();
+    return ExitNow{2};
+  }
+  if (!is_command(arguments.front())) arguments.insert(arguments.begin(), "sign");
+
+  try {
+    std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());
+    app.parse(reversed);
+  } catch (const CLI::Success& asked) {
+    app.exit(asked, std::cout, std::cerr);
+    return ExitNow{0};
+  } catch (const CLI::ParseError& error) {
+    app.exit(error, std::cout, std::cerr);
+    return ExitNow{2};
+  }
+  if (*sign) options.command = Command::kSign;
+  if (*render) options.command = Command::kRender;
+  if (*motion) options.command = Command::kMotion;
+  if (*translate) options.command = Command::kTranslate;
+  if (*experiment) options.command = Command::kExperiment;
+  if (*list) options.command = Command::kDbList;
+  if (*show) options.command = Command::kDbShow;
+  if (*search) options.command = Command::kDbSearch;
+  if (*check_db) options.command = Command::kDbCheck;
+  if (const std::string wrong = check(options); !wrong.empty()) {
+    std::cerr << "auslanjam: " << wrong << "\n`auslanjam --help` tells how to use it\n";
+    return ExitNow{2};
+  }
+  return options;
+}
+
+}  // namespace auslan

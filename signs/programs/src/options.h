@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a command line asks for, as plain data.
+#pragma once
+
+#include "stage/stage.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace auslan {
+
+enum class Command { kSign, kRender, kMotion, kTranslate, kDbList, kDbShow, kDbSearch, kDbCheck, kExperiment };
+
+/// What is to be signed: exactly one of these.
+struct Source {
+  std::optional<std::string> text;
+  std::vector<std::string> glosses;
+  std::optional<std::string> motion_file;
+};
+
+struct Options {
+  Command command = Command::kSign;
+  Source source;
+  std::string output;        ///< -o
+  std::optional<double> at;  ///< seconds, for a single frame or pose
+  bool hash = false;
+  StageOptions stage;
+  int fps = 25;
+  double speed = 1.0;
+  std::string avatar;    ///< a figure in place of the built-in one; empty: built in
+  std::string database;  ///< a database in place of the built-in one; empty: built in
+  bool left_handed = false;
+  bool caption = false;
+  bool idle = true;
+  int threads = 1;
+  uint64_t seed = 1;
+  bool quiet = false;
+  bool json = false;
+  // db
+  std::vector<std::string> words;  ///< the glosses to show, the words to search
+  std::string kind, category, region;
+};
+
+}  // namespace auslan

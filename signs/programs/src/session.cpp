@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "session.h"
+
+#include "data_files.h"
+#include "gltf/figure_gltf.h"
+#include "kinematics/figure_file.h"
+#include "media/motion_file.h"
+#include "synthesis/choreography.h"
+#include "translate/translator.h"
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+namespace auslan {
+namespace {
+
+/// A performance longer than this is refused: it would keep a machine busy for hours without a word.
+constexpr double kLongestSeconds = 45 * 60;
+constexpr size_t kMostUnits = 12000;
+
+bool is_digits(std::string_view text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+bool ends_with(const std::string& text, std::string_view suffix) {
+  return text.size() >= suffix.size() && std::string_view(text).substr(text.size() - suffix.size()) == suffix;
+}
+
+/// The lexicon's name of an entry as people and the translator write it: digits are numbers.
+std::string entry_name(std::string_view gloss) {
+  return is_digits(gloss) ? "num:" + std::string(gloss) : std::string(gloss);
+}
+
+Error as_usage(Error error) {
+  error.code = ErrorCode::kUsage;
+  return error;
+}
+
+Result<TranslatorData> translator_data(const Lexicon& lexicon) {
+  TranslatorData data;
+  const auto entries = lexicon.list();
+  if (!entries) return tl::unexpected(entries.error());
+  for (const SignSummary& entry : *entries) {
+    const bool number = entry.gloss.rfind("num:", 0) == 0;
+    data.entries.push_back({number ? entry.gloss.substr(4) : entry.gloss, entry.confidence, entry.review});
+  }
+  data.phrases = lexicon.phrases();
+  data.keywords = lexicon.keywords();
+  for (char letter = 'A'; letter <= 'Z'; ++letter)
+    data.letters[static_cast<size_t>(letter - 'A')] = std::string("fs:") + letter;
+  auto forms = read_wordnet_exceptions();
+  if (forms) data.irregular_lemmas = std::move(*forms);
+  return data;
+}
+
+}  // namespace
+
+Result<const Figure*> Session::figure() {
+  if (figure_) return figure_.get();
+  const bool foreign =
+      ends_with(options_.avatar, ".glb") || ends_with(options_.avatar, ".gltf") || ends_with(options_.avatar, ".vrm");
+  auto figure = foreign ? read_gltf(options_.avatar)
+                        : read_figure(options_.avatar.empty() ? data_file("signer.figure")
+                                                              : std::filesystem::path(options_.avatar));
+  if (!figure) return tl::unexpected(figure.error());
+  figure_ = std::make_unique<Figure>(std::move(*figure));
+  return figure_.get();
+}
+
+Result<const Lexicon*> Session::lexicon() {
+  if (!lexicon_) {
+    auto opened = Lexicon::open(options_.database.empty() ? data_file("lexicon.sqlite")
+                                                          : std::filesystem::path(options_.database));
+    if (!opened) return tl::unexpected(opened.error());
+    lexicon_.emplace(std::move(*opened));
+  }
+  return &*lexicon_;
+}
+
+Result<Translation> Session::translation() {
+  const auto lexicon = this->lexicon();
+  if (!lexicon) return tl::unexpected(lexicon.error());
+  if (!options_.source.glosses.empty()) {
+    std::vector<std::string> names;
+    for (const std::string& gloss : options_.source.glosses) {
+      // A single letter that is no sign of its own is the letter of the alphabet.
+      const auto sign = (*lexicon)->sign(entry_name(gloss));
+      if (!sign) return tl::unexpected(sign.error());
+      const bool letter = gloss.size() == 1 && std::isalpha(static_cast<unsigned char>(gloss[0])) != 0;
+      if (!*sign && letter) {
+        names.push_back(std::string("fs:") + static_cast<char>(std::toupper(static_cast<unsigned char>(gloss[0]))));
+      } else {
+        names.push_back(entry_name(gloss));
+      }
+    }
+    return translation_of_glosses(names);
+  }
+  auto data = translator_data(**lexicon);
+  if (!data) return tl::unexpected(data.error());
+  auto translator = Translator::build(std::move(*data));
+  if (!translator) return tl::unexpected(translator.error());
+  auto translation = translator->translate(*options_.source.text);
+  if (!translation) return tl::unexpected(as_usage(translation.error()));
+  return translation;
+}
+
+Result<Show> Session::show_of_motion_file() {
+  const auto figure = this->figure();
+  if (!figure) return tl::unexpected(figure.error());
+  auto clip = read_motion_jsonl(*options_.source.motion_file);
+  if (!clip) return tl::unexpected(clip.error());
+  std::vector<Pose> poses;
+  std::vector<Tick> times;
+  for (const MotionFrame& frame : clip->frames) {
+    auto pose = pose_from_frame(*clip, frame, (*figure)->skeleton);
+    if (!pose) return tl::unexpected(pose.error());
+    poses.push_back(std::move(*pose));
+    times.push_back(ticks(frame.time));
+  }
+  Show show;
+  show.end = times.back();
+  for (const MotionGloss& gloss : clip->header.glosses)
+    show.glosses.push_back({gloss.gloss, ticks(gloss.start), ticks(gloss.end), false, 0});
+  show.sample = [poses = std::move(poses), times = std::move(times)](Tick time, Pose& pose) {
+    // The frame that is on at that time: recorded frames are shown as they are.
+    const auto after = std::upper_bound(times.begin(), times.end(), time);
+    pose = poses[static_cast<size_t>(std::max<std::ptrdiff_t>(0, after - times.begin() - 1))];
+  };
+  return show;
+}
+
+Result<Show> Session::show() {
+  if (options_.source.motion_file) return show_of_motion_file();
+  const auto translation = this->translation();
+  if (!translation) return tl::unexpected(translation.error());
+  const auto figure = this->figure();
+  if (!figure) return tl::unexpected(figure.error());
+  if (!signer_) {
+    auto signer = Signer::build(**figure);
+    if (!signer) return tl::unexpected(signer.error());
+    signer_.emplace(std::move(*signer));
+  }
+  size_t units = 0;
+  for (const Item& item : translation->items)
+    units += item.glosses.size();
+  const auto too_long = [](const std::string& what) {
+    return fail(ErrorCode::kLimit, "this text is too long to sign in one piece (" + what +
+                                       "); the most is 45 minutes of signing: give it in parts");
+  };
+  if (units > kMostUnits) return too_long(std::to_string(units) + " signs and letters");
+  const auto utterance = compose(
+      *translation, [this](std::string_view gloss) { return lexicon_->sign(entry_name(gloss)); },
+      [this](std::string_view id) { return lexicon_->handshape(id); });
+  if (!utterance) return tl::unexpected(utterance.error());
+  auto score = choreograph(*signer_, *utterance, {options_.speed, 3.0, true});
+  if (!score) return tl::unexpected(score.error());
+  if (seconds(score->end) > kLongestSeconds)
+    return too_long("about " + std::to_string(static_cast<int>(seconds(score->end) / 60)) + " minutes");
+  Show show;
+  show.end = score->end;
+  show.glosses = score->glosses;
+  show.sentences = utterance->sentences;
+  for (const GlossSpan& gloss : show.glosses)
+    show.sentence_of_gloss.push_back(utterance->units[static_cast<size_t>(gloss.unit)].sentence);
+  show.reviewed = utterance->all_reviewed;
+  show.warnings = translation->warnings;
+  const auto performance = std::make_shared<const Performance>(
+      *signer_, std::move(*score), PerformanceOptions{options_.left_handed, options_.idle, options_.seed});
+  show.sample = [performance](Tick time, Pose& pose) { performance->sample(time, pose); };
+  return show;
+}
+
+}  // namespace auslan

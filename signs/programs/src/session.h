@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the commands work with: the figure, the lexicon and the translator, each opened when first needed.
+#pragma once
+
+#include "kinematics/figure.h"
+#include "kinematics/result.h"
+#include "lexicon/lexicon.h"
+#include "options.h"
+#include "synthesis/performance.h"
+#include "synthesis/signer.h"
+#include "synthesis/utterance.h"
+#include "translate/translation.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace auslan {
+
+/// A motion that can be sampled, with what is known about it.
+struct Show {
+  Tick end = 0;
+  std::function<void(Tick, Pose&)> sample;
+  std::vector<GlossSpan> glosses;
+  std::vector<std::string> sentences;  ///< English, for captions
+  std::vector<int> sentence_of_gloss;  ///< by index into glosses
+  bool reviewed = false;               ///< every entry in it has been approved by a Deaf reviewer
+  std::vector<std::string> warnings;
+};
+
+class Session {
+ public:
+  explicit Session(const Options& options) : options_(options) {}
+
+  Result<const Figure*> figure();
+  Result<const Lexicon*> lexicon();
+  Result<Translation> translation();
+  Result<Show> show();
+
+ private:
+  Result<Show> show_of_motion_file();
+
+  const Options& options_;
+  std::unique_ptr<Figure> figure_;
+  std::optional<Lexicon> lexicon_;
+  std::optional<Signer> signer_;
+};
+
+}  // namespace auslan

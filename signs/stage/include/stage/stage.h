@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// The stage: the one place where a posed body becomes a draw list, and the draw list pixels.
+#pragma once
+
+#include "kinematics/body_model.h"
+#include "kinematics/figure.h"
+#include "kinematics/pose.h"
+#include "kinematics/result.h"
+#include "raster/renderer.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace auslan {
+
+/// Where the viewer stands.
+enum class CameraName {
+  kFront,         ///< before the signer, from the waist up with room for the signing space
+  kThreeQuarter,  ///< from the signer's right front
+  kSide,          ///< from the signer's right
+  kSigner,        ///< over the signer's own shoulder line, as the signer sees the hands
+  kHands,         ///< close to the hands in front of the chest
+  kFace,          ///< close to the face
+};
+inline constexpr std::string_view kCameraNames[] = {"front", "three-quarter", "side", "signer", "hands", "face"};
+std::optional<CameraName> camera_from_name(std::string_view name);
+
+struct StageOptions {
+  int width = 1280, height = 720;  ///< pixels, 1 to 16384
+  int samples = 4;                 ///< anti-aliasing: 1, 2, 4 or 8 samples a pixel
+  bool flat = false;               ///< flat shading, with the rigid flat model
+  CameraName camera = CameraName::kFront;
+  uint32_t background = 0xC9D3D9;  ///< 0x00RRGGBB
+};
+
+/// Draws one figure. Owns a renderer and a model, so one thread at a time; any number of stages can share a figure.
+class Stage {
+ public:
+  /// The figure must outlive the stage. kUsage for sizes or sample counts that the rasteriser does not take.
+  static Result<Stage> build(const Figure& figure, const StageOptions& options);
+
+  /// Draws a pose into width * height pixels (0x00RRGGBB). Nothing is allocated after the first frame.
+  void render(const Pose& pose, std::span<uint32_t> pixels);
+
+  const StageOptions& options() const { return options_; }
+
+ private:
+  Stage(const Figure& figure, const StageOptions& options);
+
+  const Figure* figure_;
+  StageOptions options_;
+  std::unique_ptr<BodyModel> model_;
+  raster::Renderer renderer_;
+  raster::Camera camera_;
+  std::vector<Transform> world_;
+};
+
+}  // namespace auslan

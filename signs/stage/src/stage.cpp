@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "stage/stage.h"
+
+#include <cassert>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+
+namespace auslan {
+namespace {
+
+raster::Lighting studio_lighting() {
+  raster::Lighting lighting;
+  // A key light from the viewer's upper left, so that the nose and the hands throw their shading to one side; a weak
+  // fill from the other side; a sky a little brighter than the floor.
+  lighting.key_direction = glm::vec3(0.55F, 0.75F, 0.85F);
+  lighting.key_colour = glm::vec3(0.66F, 0.64F, 0.60F);
+  lighting.fill_direction = glm::vec3(-0.8F, 0.15F, 0.6F);
+  lighting.fill_colour = glm::vec3(0.17F, 0.18F, 0.20F);
+  lighting.ambient_sky = glm::vec3(0.34F, 0.35F, 0.37F);
+  lighting.ambient_ground = glm::vec3(0.20F, 0.19F, 0.18F);
+  return lighting;
+}
+
+glm::vec3 to_float(const Vec3& v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+/// Cameras are placed by the figure's own proportions, so that a taller signer fills the picture as a shorter one does.
+raster::Camera camera_for(const Figure& figure, CameraName name, float aspect) {
+  const Skeleton& skeleton = figure.skeleton;
+  const Vec3 base = skeleton.rest_position(skeleton.find("spine_base"));
+  const Vec3 head = skeleton.rest_position(skeleton.find("head_base"));
+  const double trunk = head.y - base.y;  // from the spine's base to the base of the skull
+  const Vec3 chest(0.0, base.y + 0.62 * trunk, base.z + 0.05);
+  Vec3 eye, target, up(0, 1, 0);
+  double cot = 3.2;  // half the vertical field of view has a tangent of 1/3.2: a portrait lens
+  switch (name) {
+    case CameraName::kFront:
+      target = chest + Vec3(0, 0.06 * trunk, 0);
+      eye = target + Vec3(0, 0.10 * trunk, 2.85 * trunk / 0.60);
+      cot = 4.55;
+      break;
+    case CameraName::kThreeQuarter:
+      target = chest + Vec3(0, 0.06 * trunk, 0.1);
+      eye = target + Vec3(-1.75, 0.15, 2.2) * (trunk / 0.60);
+      cot = 4.55;
+      break;
+    case CameraName::kSide:
+      target = chest + Vec3(0, 0.06 * trunk, 0.18);
+      eye = target + Vec3(-2.85, 0.06, 0) * (trunk / 0.60);
+      cot = 4.55;
+      break;
+    case CameraName::kSigner:
+      eye = head + Vec3(0, 0.13, 0.10);
+      target = chest + Vec3(0, -0.05, 0.42);
+      cot = 1.25;
+      break;
+    case CameraName::kHands:
+      target = Vec3(0.0, base.y + 0.48 * trunk, base.z + 0.22);
+      eye = target + Vec3(-0.05, 0.10, 1.6);
+      cot = 6.2;
+      break;
+    case CameraName::kFace:
+      target = head + Vec3(0, 0.07, 0.05);
+      eye = target + Vec3(0, 0.02, 1.5);
+      cot = 8.0;
+      break;
+  }
+  return raster::look_at(to_float(eye), to_float(target), to_float(up), static_cast<float>(cot), aspect, 0.02F);
+}
+
+}  // namespace
+
+std::optional<CameraName> camera_from_name(std::string_view name) {
+  for (size_t i = 0; i < std::size(kCameraNames); ++i)
+    if (kCameraNames[i] == name) return static_cast<CameraName>(i);
+  return std::nullopt;
+}
+
+Stage::Stage(const Figure& figure, const StageOptions& options)
+    : figure_(&figure),
+      options_(options),
+      model_(options.flat ? make_rigid_flat(figure) : make_rigid_gouraud(figure)),
+      camera_(
+          camera_for(figure, options.camera, static_cast<float>(options.width) / static_cast<float>(options.height))),
+      world_(static_cast<size_t>(figure.skeleton.size())) {
+  renderer_.set_camera(camera_);
+  renderer_.set_lighting(studio_lighting());
+}
+
+Result<Stage> Stage::build(const Figure& figure, const StageOptions& options) {
+  const bool size_ok = options.width >= 1 && options.width <= raster::kMaxImageSize && options.height >= 1 &&
+                       options.height <= raster::kMaxImageSize;
+  if (!size_ok) return fail(ErrorCode::kUsage, "the picture's width and height must lie between 1 and 16384 pixels");
+  if (options.samples != 1 && options.samples != 2 && options.samples != 4 && options.samples != 8)
+    return fail(ErrorCode::kUsage, "anti-aliasing takes 1, 2, 4 or 8 samples a pixel");
+  return Stage(figure, options);
+}
+
+void Stage::render(const Pose& pose, std::span<uint32_t> pixels) {
+  forward(figure_->skeleton, pose, world_);
+  [[maybe_unused]] raster::Status status =
+      renderer_.begin_frame(options_.width, options_.height, options_.samples, options_.background);
+  assert(status == raster::Status::kOk);
+  const raster::Shading shading = options_.flat ? raster::Shading::kFlat : raster::Shading::kGouraud;
+  for (const PosedMesh& mesh : model_->pose(world_, pose.face))
+    renderer_.draw({mesh.positions, mesh.normals, mesh.colours, mesh.indices}, mesh.world_from_mesh, shading);
+  status = renderer_.end_frame(pixels);
+  assert(status == raster::Status::kOk);
+}
+
+}  // namespace auslan

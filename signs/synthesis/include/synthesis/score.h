@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+// The score: tiers over time (two hands, head, body, face) as plain data. Every tier is continuous in velocity by
+// construction: hands move along minimum-jerk strokes that start and end at rest, spans rise and fall along the same
+// curve.
+#pragma once
+
+#include "kinematics/anatomy.h"
+#include "kinematics/pose.h"
+#include "kinematics/vector.h"
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace auslan {
+
+/// Time inside is an integer number of ticks; 6000 a second divides by every usual frame rate.
+using Tick = int64_t;
+inline constexpr Tick kTicksPerSecond = 6000;
+
+inline constexpr Tick ticks(double seconds) {
+  return static_cast<Tick>(seconds * static_cast<double>(kTicksPerSecond) + (seconds < 0 ? -0.5 : 0.5));
+}
+inline constexpr double seconds(Tick time) {
+  return static_cast<double>(time) / static_cast<double>(kTicksPerSecond);
+}
+
+/// Where a hand is and what it does, with the trunk and head at rest.
+struct HandState {
+  Transform wrist;          ///< world_from_wrist
+  double swivel = 0;        ///< of the elbow, radians, as solve_arm takes it
+  HandAngles angles;        ///< of the digits, radians
+  double follows_head = 0;  ///< 1: the placement moves with the head (contact on the face), 0: with the trunk
+};
+
+/// A movement laid over a segment: value = amplitude * sin(2 pi (cycles * tau + phase)), faded in and out.
+struct Oscillation {
+  Vec3 shift{0.0};    ///< metres
+  Vec3 turn{0.0};     ///< rotation vector of the hand about the wrist, world axes, radians
+  double wiggle = 0;  ///< finger flexion at the knuckle, radians, each finger a quarter cycle after its neighbour
+  double flex = 0;    ///< flexion of all finger joints together, radians, one-sided (closing only)
+  double cycles = 0;
+  double phase = 0;  ///< in cycles
+};
+
+/// What one hand does between two times.
+struct HandSegment {
+  Tick begin = 0, end = 0;
+  HandState from, to;
+  Vec3 bulge{0.0};     ///< displacement of the middle of the path from the straight line, metres
+  Vec3 circle_u{0.0};  ///< from the circle's centre to the starting point, metres; zero: no circle
+  Vec3 circle_v{0.0};  ///< a quarter turn further
+  double turns = 0;
+  double digits_lead = 1;  ///< the digits arrive after this fraction of the segment: handshape leads location
+  Oscillation oscillation;
+};
+
+/// Face weights that rise, hold and fall.
+struct FaceSpan {
+  Tick begin = 0, end = 0;  ///< full strength is held between begin + onset and end - release
+  Tick onset = 0, release = 0;
+  FaceWeights weights{};
+};
+
+/// A turn of head and trunk that rises, holds and falls, with an optional oscillation about it.
+struct BodySpan {
+  Tick begin = 0, end = 0;
+  Tick onset = 0, release = 0;
+  Vec3 head{0.0};   ///< rotation vector of the head against the trunk, radians
+  Vec3 trunk{0.0};  ///< rotation vector of the trunk about the spine base
+  Vec3 swing{0.0};  ///< amplitude of a head oscillation
+  double swing_hz = 0;
+};
+
+/// When an entry is on the hands: from the end of the transition into it to the end of its last hold.
+struct GlossSpan {
+  std::string label;
+  Tick begin = 0, end = 0;
+  bool spelled = false;
+  int unit = 0;  ///< which unit of the utterance
+};
+
+struct Score {
+  std::array<std::vector<HandSegment>, 2> hands;  ///< by Side (kLeft, kRight); contiguous from 0 to end
+  std::vector<FaceSpan> face;
+  std::vector<BodySpan> body;
+  std::vector<GlossSpan> glosses;
+  Tick end = 0;
+};
+
+}  // namespace auslan

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// The signer: a figure together with what synthesis has to know of its surface, built once per figure; and the geometry
+// that turns a posture (phonology) into the place of a hand (motion).
+#pragma once
+
+#include "kinematics/anatomy.h"
+#include "kinematics/figure.h"
+#include "kinematics/result.h"
+#include "phonology/sign.h"
+#include "synthesis/body_sites.h"
+#include "synthesis/hand_sites.h"
+#include "synthesis/score.h"
+
+#include <array>
+
+namespace auslan {
+
+/// The nodes of an arm, placed in the world.
+struct ArmPlacement {
+  Transform shoulder, elbow, wrist;
+};
+
+/// A posture on this figure: where the hand is, and, where it touches something, from which side it came.
+struct PlacedHand {
+  HandState state;
+  bool touching = false;
+  Vec3 normal{0.0, 0.0, 1.0};  ///< outward normal of the surface that is touched, or of the palm's facing in the air
+};
+
+/// What a posture is placed against.
+struct OtherHand {
+  const HandState* state = nullptr;  ///< null: the other hand is not there
+  bool mirrored = false;             ///< the other hand is the mirror image of this one: they meet in the middle plane
+};
+
+/// Digit angles of a handshape, radians.
+HandAngles hand_angles(const Handshape& handshape);
+/// The mirror image in the plane x = 0.
+HandState mirrored(const HandState& state);
+
+class Signer {
+ public:
+  /// kUnsupported where a body part that signs need has no surface. The figure must outlive the signer.
+  static Result<Signer> build(const Figure& figure);
+
+  const Figure& figure() const { return *figure_; }
+  const BodySites& body() const { return body_; }
+  const HandSites& hand(Side side) const { return hands_[static_cast<size_t>(side)]; }
+  const HandFrame& hand_frame(Side side) const { return frames_[static_cast<size_t>(side)]; }
+
+  /// Solves a posture for a hand of `side`. Directions and offsets of the posture are a right hand's; a left hand gets
+  /// their mirror image. Total: a place that cannot be reached is approached as far as the arm allows.
+  PlacedHand place(const Posture& posture, const Handshape& handshape, Side side, const OtherHand& counterpart) const;
+
+  /// The arm that puts the wrist where `state` says, trunk at rest.
+  ArmPlacement place_arm(Side side, const HandState& state) const;
+
+  /// The hand hanging beside the hip: the start and end of all signing.
+  HandState rest(Side side) const;
+
+ private:
+  Signer(const Figure& figure, BodySites body, std::array<HandSites, 2> hands);
+  /// The place on the other hand or arm, world space.
+  Site other_site(Location location, HandPart touching, Side other_side, const HandState& other,
+                  const Vec3& comes_from) const;
+
+  const Figure* figure_;
+  BodySites body_;
+  std::array<HandSites, 2> hands_;
+  std::array<HandFrame, 2> frames_;
+};
+
+}  // namespace auslan

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "synthesis/choreography.h"
+
+#include "performance_of_sign.h"
+#include "stroke.h"
+#include "synthesis/mouthing.h"
+#include "synthesis/non_manual.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace auslan {
+namespace {
+
+constexpr size_t kLeft = static_cast<size_t>(Side::kLeft), kRight = static_cast<size_t>(Side::kRight);
+
+bool any_weight(const FaceWeights& weights) {
+  return std::any_of(weights.begin(), weights.end(), [](float w) { return w > 0; });
+}
+
+bool any(const BodyFeature& feature) {
+  return feature.head != Vec3(0.0) || feature.trunk != Vec3(0.0) || feature.swing != Vec3(0.0);
+}
+
+/// Builds the score unit by unit.
+class Choreographer {
+ public:
+  Choreographer(const Signer& signer, const Utterance& utterance, const ChoreographyOptions& options)
+      : signer_(signer), utterance_(utterance), options_(options) {
+    hand_ = {signer.rest(Side::kLeft), signer.rest(Side::kRight)};
+  }
+
+  Result<Score> run();
+
+ private:
+  struct Span {
+    Tick begin = 0, end = 0;
+  };
+
+  Tick scaled(double duration) const { return std::max<Tick>(1, ticks(duration / options_.speed)); }
+  bool uses_left(size_t unit) const;
+  void stay(size_t side, Tick until);
+  void move(size_t side, Tick until, const HandState& to, const Vec3& bulge, double digits_lead);
+  void transition(const SignPerformance& performance, const Unit& unit);
+  void add_beats(const SignPerformance& performance, const Unit& unit);
+  void add_mouthing(const Unit& unit, Span span);
+  void add_own_features(const Unit& unit, Span span);
+  void add_spans();
+  void add_features(const FaceWeights& face, const BodyFeature& body, Span span);
+  double hold_after(size_t unit) const;
+
+  const Signer& signer_;
+  const Utterance& utterance_;
+  const ChoreographyOptions& options_;
+  Score score_;
+  Tick now_ = 0;
+  std::array<HandState, 2> hand_;
+  std::array<Vec3, 2> leave_{};
+  std::array<bool, 2> raised_{};
+  std::vector<Span> spans_;  ///< of each unit
+};
+
+bool Choreographer::uses_left(size_t unit) const {
+  const auto& sign = utterance_.units[unit].sign;
+  return sign && sign->handedness != Handedness::kOne &&
+         (sign->handedness != Handedness::kDominantBase || !sign->non_dominant.empty());
+}
+
+void Choreographer::stay(size_t side, Tick until) {
+  move(side, until, hand_[side], Vec3(0.0), 1.0);
+}
+
+void Choreographer::move(size_t side, Tick until, const HandState& to, const Vec3& bulge, double digits_lead) {
+  auto& track = score_.hands[side];
+  const Tick begin = track.empty() ? 0 : track.back().end;
+  if (until <= begin) return;
+  HandSegment segment;
+  segment.begin = begin;
+  segment.end = until;
+  segment.from = hand_[side];
+  segment.to = to;
+  segment.bulge = bulge;
+  segment.digits_lead = digits_lead;
+  track.push_back(segment);
+  hand_[side] = to;
+}
+
+void Choreographer::transition(const SignPerformance& performance, const Unit& unit) {
+  double time = stroke::kShortestTransition;
+  bool from_rest = false;
+  for (const size_t side : {kLeft, kRight}) {
+    if (!performance.active[side]) continue;
+    time = std::max(time, stroke::travel_seconds(hand_[side], performance.start[side]));
+    from_rest = from_rest || !raised_[side];
+  }
+  if (unit.spelled && !unit.first_of_word) {
+    // The rate of spelling: transition and hold together make one letter.
+    const double letter = 1.0 / options_.letters_per_second;
+    time = std::max(0.10, std::min(time, letter - stroke::kLetterHold));
+  } else {
+    time = std::clamp(time, stroke::kShortestTransition, stroke::kLongestTransition);
+    if (from_rest) time = std::max(time, stroke::kFromRest);
+  }
+  const Tick until = now_ + scaled(time);
+  for (const size_t side : {kLeft, kRight}) {
+    if (!performance.active[side]) continue;
+    const HandState& to = performance.start[side];
+    const Vec3 way = to.wrist.position - hand_[side].wrist.position;
+    const double distance = std::sqrt(glm::dot(way, way));
+    // Away from what is left and towards what is met along their normals, and clear of the body on long ways.
+    const double lift = std::min(0.06, 0.3 * distance);
+    Vec3 bulge = 0.5 * lift * (performance.approach[side] + leave_[side]);
+    bulge.z += std::max(0.0, 0.22 * (distance - 0.08));
+    move(side, until, to, bulge, unit.spelled ? 0.85 : 0.75);
+    raised_[side] = true;
+  }
+  now_ = until;
+}
+
+void Choreographer::add_beats(const SignPerformance& performance, const Unit& unit) {
+  for (const Beat& beat : performance.beats) {
+    double time = beat.seconds;
+    if (beat.hold && unit.spelled) {
+      // Slower speeds lengthen the letters, faster ones never bring the hold under what can be read.
+      time = std::max(time, stroke::kLetterHold * 0.8 * options_.speed);
+    }
+    const Tick begin = now_;
+    const Tick end = begin + scaled(time);
+    for (const size_t side : {kLeft, kRight}) {
+      if (!performance.active[side]) continue;
+      stay(side, begin);
+      HandSegment segment = beat.hands[side];
+      segment.begin = begin;
+      segment.end = end;
+      score_.hands[side].push_back(segment);
+      hand_[side] = segment.to;
+    }
+    now_ = end;
+  }
+  leave_ = performance.leave;
+}
+
+double Choreographer::hold_after(size_t unit) const {
+  double hold = utterance_.units[unit].extra_hold_seconds;
+  for (const NonManualSpan& span : utterance_.non_manual)
+    if (span.ending == "hold last sign" && span.to == static_cast<int>(unit))
+      hold = std::max(hold, stroke::kQuestionHold);
+  return hold;
+}
+
+void Choreographer::add_features(const FaceWeights& face, const BodyFeature& body, Span span) {
+  const Tick onset = scaled(stroke::kBrowOnset), release = scaled(stroke::kBrowRelease);
+  const Tick begin = std::max<Tick>(0, span.begin - onset / 2), end = span.end + release / 2;
+  if (any_weight(face)) score_.face.push_back({begin, end, onset, release, face});
+  if (any(body)) {
+    BodySpan motion;
+    motion.begin = begin;
+    motion.end = end;
+    motion.onset = onset;
+    motion.release = release;
+    motion.head = body.head;
+    motion.trunk = body.trunk;
+    motion.swing = body.swing;
+    motion.swing_hz = body.swing_hz * options_.speed;
+    score_.body.push_back(motion);
+  }
+}
+
+void Choreographer::add_own_features(const Unit& unit, Span span) {
+  const NonManual& own = unit.sign->non_manual;
+  FaceWeights face{};
+  BodyFeature body;
+  add_brows(own.brows, face);
+  add_eyes(own.eyes, face);
+  add_mouth(own.mouth, face);
+  add_cheeks(own.cheeks, face);
+  add_face(own.face, face);
+  add_head(own.head, body);
+  add_shoulders(own.shoulders, body);
+  add_gaze(own.gaze, body, face);
+  add_features(face, body, span);
+}
+
+void Choreographer::add_mouthing(const Unit& unit, Span span) {
+  const std::vector<Viseme> visemes = visemes_of(unit.mouthing);
+  if (visemes.empty() || span.end <= span.begin) return;
+  const auto count = static_cast<Tick>(visemes.size());
+  const Tick length = span.end - span.begin;
+  for (Tick i = 0; i < count; ++i) {
+    const Tick begin = span.begin + length * i / count, end = span.begin + length * (i + 1) / count;
+    const Tick overlap = std::max<Tick>(1, std::min<Tick>((end - begin) / 2, ticks(0.08)));
+    score_.face.push_back({std::max<Tick>(0, begin - overlap / 2), end + overlap / 2, overlap, overlap,
+                           weights_of(visemes[static_cast<size_t>(i)])});
+  }
+}
+
+void Choreographer::add_spans() {
+  for (const NonManualSpan& span : utterance_.non_manual) {
+    if (span.from < 0 || span.to < span.from || static_cast<size_t>(span.to) >= spans_.size()) continue;
+    FaceWeights face{};
+    BodyFeature body;
+    add_brows(span.brows, face);
+    add_eyes(span.eyes, face);
+    add_mouth(span.mouth, face);
+    add_head(span.head, body);
+    add_gaze(span.gaze, body, face);
+    const Span time{spans_[static_cast<size_t>(span.from)].begin, spans_[static_cast<size_t>(span.to)].end};
+    add_features(face, body, time);
+    if (span.ending == "pause/blink") {
+      FaceWeights blink{};
+      add_eyes("blink", blink);
+      const Tick half = ticks(0.09);
+      score_.face.push_back({time.end, time.end + 2 * half, half, half, blink});
+    }
+  }
+}
+
+Result<Score> Choreographer::run() {
+  if (utterance_.units.empty()) return fail(ErrorCode::kUsage, "there is nothing to sign");
+  if (!(options_.speed >= 0.25 && options_.speed <= 4.0))
+    return fail(ErrorCode::kUsage, "the speed must lie between 0.25 and 4");
+  const HandState low_left = signer_.rest(Side::kLeft), low_right = signer_.rest(Side::kRight);
+  now_ = scaled(0.15);
+  stay(kLeft, now_);
+  stay(kRight, now_);
+  for (size_t i = 0; i < utterance_.units.size(); ++i) {
+    const Unit& unit = utterance_.units[i];
+    if (!unit.sign) {
+      const Tick begin = now_;
+      now_ += scaled(unit.pause_seconds);
+      stay(kLeft, now_);
+      stay(kRight, now_);
+      spans_.push_back({begin, now_});
+      continue;
+    }
+    auto performance = perform(signer_, utterance_, unit, hand_);
+    if (!performance) return tl::unexpected(performance.error());
+    const Tick before = now_;
+    transition(*performance, unit);
+    const Tick begin = now_;
+    add_beats(*performance, unit);
+    now_ += scaled(std::max(1e-6, hold_after(i)));
+    stay(kRight, now_);
+    if (performance->active[kLeft]) {
+      stay(kLeft, now_);
+    } else if (raised_[kLeft]) {
+      // The base hand waits where it is for the next sign that needs it, and is lowered otherwise.
+      const bool soon = unit.spelled || (i + 1 < utterance_.units.size() && uses_left(i + 1));
+      if (soon) {
+        stay(kLeft, now_);
+      } else {
+        move(kLeft, std::max(now_, before + scaled(stroke::kLongestTransition)), low_left, Vec3(0, 0, 0.04), 1.0);
+        now_ = std::max(now_, score_.hands[kLeft].back().end);
+        stay(kRight, now_);
+        raised_[kLeft] = false;
+      }
+    } else {
+      stay(kLeft, now_);
+    }
+    const Span span{begin, now_};
+    spans_.push_back(span);
+    score_.glosses.push_back({unit.label, begin, now_, unit.spelled, static_cast<int>(i)});
+    add_own_features(unit, span);
+  }
+  // Mouthing runs over a sign, or over all letters of a spelled word.
+  for (size_t i = 0; i < utterance_.units.size() && options_.mouthing; ++i) {
+    const Unit& unit = utterance_.units[i];
+    if (unit.mouthing.empty()) continue;
+    const size_t last = std::min(i + static_cast<size_t>(std::max(1, unit.word_letters)) - 1, spans_.size() - 1);
+    add_mouthing(unit, {spans_[i].begin, spans_[last].end});
+  }
+  add_spans();
+  const Tick lowered = now_ + scaled(stroke::kFromRest + 0.1);
+  move(kLeft, raised_[kLeft] ? lowered : now_, low_left, Vec3(0, 0, 0.05), 1.0);
+  move(kRight, lowered, low_right, Vec3(0, 0, 0.05), 1.0);
+  score_.end = lowered + scaled(0.25);
+  stay(kLeft, score_.end);
+  stay(kRight, score_.end);
+  return std::move(score_);
+}
+
+}  // namespace
+
+Result<Score> choreograph(const Signer& signer, const Utterance& utterance, const ChoreographyOptions& options) {
+  return Choreographer(signer, utterance, options).run();
+}
+
+}  // namespace auslan

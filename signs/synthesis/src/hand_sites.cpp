@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "synthesis/hand_sites.h"
+
+#include "kinematics/rotation.h"
+#include "kinematics/surface.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace auslan {
+namespace {
+
+constexpr size_t kThumb = 0, kIndex = 1, kMiddle = 2, kRing = 3, kLittle = 4;
+
+Vec3 across(const Vec3& v, const Vec3& axis) {
+  return v - axis * glm::dot(v, axis);
+}
+
+}  // namespace
+
+Result<HandSites> HandSites::build(const Figure& figure, Side side) {
+  HandSites sites;
+  sites.figure_ = &figure;
+  sites.side_ = side;
+  sites.nodes_ = arm_nodes(figure.skeleton, side);
+  sites.frame_ = rest_hand_frame(figure.skeleton, side);
+  const Skeleton& skeleton = figure.skeleton;
+  for (size_t d = 0; d < 5; ++d) {
+    for (size_t j = 0; j < 3; ++j) {
+      const int node = sites.nodes_.digits[d][j];
+      if (figure.segments[static_cast<size_t>(node)].indices.empty())
+        return fail(ErrorCode::kUnsupported, "the figure has no surface on " + skeleton.node(node).name +
+                                                 ", so that signs cannot touch with it; load a figure with full hands");
+    }
+    const int last = sites.nodes_.digits[d][2], before = sites.nodes_.digits[d][1];
+    const Vec3 bone = unit(skeleton.rest_position(last) - skeleton.rest_position(before));
+    sites.tip_[d] = extreme_point(figure, last, bone).position;
+    for (size_t j = 0; j < 3; ++j) {
+      // Half the thickness from back to palm, half way along the phalanx.
+      const int node = sites.nodes_.digits[d][j];
+      const Vec3 begin = skeleton.rest_position(node);
+      const Vec3 end = j < 2 ? skeleton.rest_position(sites.nodes_.digits[d][j + 1]) : begin + sites.tip_[d];
+      const Vec3 middle = 0.5 * (begin + end);
+      const std::array<int, 1> only = {node};
+      const auto below = cast_ray(figure, only, middle + sites.frame_.palm * 0.2, -sites.frame_.palm);
+      const auto above = cast_ray(figure, only, middle - sites.frame_.palm * 0.2, sites.frame_.palm);
+      sites.radius_[d][j] =
+          below && above ? 0.5 * std::abs(glm::dot(below->position - above->position, sites.frame_.palm)) : 0.008;
+    }
+  }
+  const Vec3 wrist = skeleton.rest_position(sites.nodes_.wrist);
+  const Vec3 centre = 0.45 * wrist + 0.55 * skeleton.rest_position(sites.nodes_.digits[kMiddle][0]);
+  const std::array<int, 1> palm_only = {sites.nodes_.wrist};
+  const auto below = cast_ray(figure, palm_only, centre + sites.frame_.palm * 0.2, -sites.frame_.palm);
+  const auto above = cast_ray(figure, palm_only, centre - sites.frame_.palm * 0.2, sites.frame_.palm);
+  if (!below || !above)
+    return fail(ErrorCode::kUnsupported, "the figure's palm has no surface; load a figure with full hands");
+  sites.palm_depth_ = glm::dot(below->position + wrist - centre, sites.frame_.palm);
+  sites.back_depth_ = -glm::dot(above->position + wrist - centre, sites.frame_.palm);
+  return sites;
+}
+
+HandSites::Posed HandSites::pose(const HandAngles& angles) const {
+  Pose whole = rest_pose(figure_->skeleton);
+  pose_hand(figure_->skeleton, side_, angles, whole);
+  Posed posed;
+  for (size_t d = 0; d < 5; ++d) {
+    Transform parent;
+    for (size_t j = 0; j < 3; ++j) {
+      const int node = nodes_.digits[d][j];
+      const Vec3 offset = figure_->skeleton.node(node).offset;
+      parent = {parent.rotation * whole.rotation[static_cast<size_t>(node)], apply(parent, offset)};
+      posed.joint[d][j] = parent;
+    }
+    posed.tip[d] = apply(parent, tip_[d]);
+    // The pad: on the palmar side, a little before the tip.
+    posed.pad[d] = apply(parent, 0.75 * tip_[d]) + parent.rotation * (frame_.palm * (radius_[d][2] * 0.9));
+  }
+  return posed;
+}
+
+Site HandSites::on_digit(const Posed& posed, size_t digit, double along, const Vec3& out) const {
+  const double clamped = std::clamp(along, 0.0, 2.999);
+  const auto j = static_cast<size_t>(clamped);
+  const double t = clamped - static_cast<double>(j);
+  const Vec3 begin = posed.joint[digit][j].position;
+  const Vec3 end = j < 2 ? posed.joint[digit][j + 1].position : posed.tip[digit];
+  const Vec3 axis = unit(end - begin);
+  const Vec3 normal = unit(across(out, axis));
+  return {begin + (end - begin) * t + normal * radius_[digit][j], normal};
+}
+
+Site HandSites::site(HandPart part, const HandAngles& angles) const {
+  const Posed posed = pose(angles);
+  const Vec3& palm = frame_.palm;
+  const Vec3& radial = frame_.radial;
+  const Vec3 knuckle = posed.joint[kMiddle][0].position;
+  const Vec3 centre = 0.55 * knuckle;
+  const auto tip = [&](size_t d) {
+    const Vec3 axis = unit(posed.tip[d] - posed.joint[d][2].position);
+    return Site{posed.tip[d], axis};
+  };
+  const auto between = [](const Site& a, const Site& b) {
+    return Site{0.5 * (a.position + b.position), unit(a.normal + b.normal)};
+  };
+  // The palmar direction of a finger's last phalanx.
+  const auto pad_normal = [&](size_t d) { return posed.joint[d][2].rotation * palm; };
+  switch (part) {
+    case HandPart::kPalm:
+      return {centre + palm * palm_depth_, palm};
+    case HandPart::kBack:
+      return {centre - palm * back_depth_, -palm};
+    case HandPart::kRadial:
+      return on_digit(posed, kIndex, 0.15, radial);
+    case HandPart::kUlnar: {
+      const Vec3 base = 0.6 * posed.joint[kLittle][0].position;
+      return {base - radial * (radius_[kLittle][0] * 1.2), -radial};
+    }
+    case HandPart::kFingertips:
+      return between(tip(kIndex), tip(kRing));
+    case HandPart::kIndexTip:
+      return tip(kIndex);
+    case HandPart::kMiddleTip:
+      return tip(kMiddle);
+    case HandPart::kRingTip:
+      return tip(kRing);
+    case HandPart::kLittleTip:
+      return tip(kLittle);
+    case HandPart::kThumbTip:
+      return tip(kThumb);
+    case HandPart::kThumbIndexTips:
+      return between(tip(kThumb), tip(kIndex));
+    case HandPart::kIndexMiddleTips:
+      return between(tip(kIndex), tip(kMiddle));
+    case HandPart::kIndexSide:
+      return on_digit(posed, kIndex, 1.3, radial);
+    case HandPart::kIndexMiddle: {
+      const Site a = on_digit(posed, kIndex, 1.5, pad_normal(kIndex));
+      return between(a, on_digit(posed, kMiddle, 1.5, pad_normal(kMiddle)));
+    }
+    case HandPart::kFingers: {
+      const Site a = on_digit(posed, kIndex, 1.5, posed.joint[kIndex][1].rotation * palm);
+      return between(a, on_digit(posed, kRing, 1.5, posed.joint[kRing][1].rotation * palm));
+    }
+    case HandPart::kIndexKnuckle: {
+      const Vec3 out = posed.joint[kIndex][0].rotation * -palm;
+      return {posed.joint[kIndex][1].position + out * radius_[kIndex][0], out};
+    }
+    case HandPart::kKnuckles: {
+      const Vec3 out = unit(0.6 * frame_.fingers - 0.4 * palm);
+      return {knuckle + out * (radius_[kMiddle][0] * 1.2), out};
+    }
+    case HandPart::kWrist:
+      return {palm * palm_depth_ * 0.9, palm};
+    case HandPart::kFistThumbSide: {
+      const Site a = on_digit(posed, kIndex, 0.6, radial);
+      return {a.position, radial};
+    }
+    case HandPart::kFistUlnar: {
+      const Site a = on_digit(posed, kLittle, 0.3, -radial);
+      return {a.position, -radial};
+    }
+    case HandPart::kThumbWeb:
+      return {0.5 * (posed.joint[kThumb][1].position + posed.joint[kIndex][0].position), unit(radial + frame_.fingers)};
+    case HandPart::kIndexBase:
+      return on_digit(posed, kIndex, 0.1, palm);
+    case HandPart::kIndexMidJoint:
+      return on_digit(posed, kIndex, 1.0, radial);
+    case HandPart::kThumbSide:
+      return on_digit(posed, kThumb, 1.5, radial);
+  }
+  return {centre + palm * palm_depth_, palm};
+}
+
+Site HandSites::site_for(Location location, HandPart touching, const HandAngles& angles, const Vec3& towards) const {
+  const Posed posed = pose(angles);
+  const auto digit_site = [&](size_t d) {
+    // A pointing tip meets the tip; anything broader meets the finger between its joints, on the side it comes from.
+    const bool pointing = touching == HandPart::kIndexTip || touching == HandPart::kMiddleTip ||
+                          touching == HandPart::kLittleTip || touching == HandPart::kThumbTip;
+    if (pointing) return Site{posed.tip[d], unit(posed.tip[d] - posed.joint[d][2].position)};
+    return on_digit(posed, d, d == kThumb ? 1.4 : 1.6, towards);
+  };
+  switch (location) {
+    case Location::kOtherBack:
+      return site(HandPart::kBack, angles);
+    case Location::kOtherWristBack:
+      return {-frame_.palm * back_depth_ - frame_.fingers * 0.01, -frame_.palm};
+    case Location::kOtherWristInner:
+      return {frame_.palm * palm_depth_ * 0.9 - frame_.fingers * 0.015, frame_.palm};
+    case Location::kOtherForearmBack:
+      return {-frame_.palm * (back_depth_ + 0.01) - frame_.fingers * 0.09, -frame_.palm};
+    case Location::kOtherForearmInner:
+      return {frame_.palm * (palm_depth_ + 0.01) - frame_.fingers * 0.09, frame_.palm};
+    case Location::kOtherFingertips:
+      return site(HandPart::kFingertips, angles);
+    case Location::kOtherThumb:
+      if (touching == HandPart::kIndexSide) return site(HandPart::kThumbWeb, angles);
+      return digit_site(kThumb);
+    case Location::kOtherIndex:
+      return digit_site(kIndex);
+    case Location::kOtherMiddle:
+      return digit_site(kMiddle);
+    case Location::kOtherRing:
+      return digit_site(kRing);
+    case Location::kOtherLittle:
+      return digit_site(kLittle);
+    case Location::kOtherUlnar:
+      return site(HandPart::kUlnar, angles);
+    case Location::kOtherRadial:
+      return site(HandPart::kRadial, angles);
+    case Location::kOtherFistTop:
+      return site(HandPart::kFistThumbSide, angles);
+    case Location::kOtherElbow:
+      return {-frame_.fingers * 0.24 - frame_.palm * 0.04, -frame_.fingers};
+    case Location::kHands:
+      return site(touching, angles);
+    default:
+      return site(HandPart::kPalm, angles);
+  }
+}
+
+}  // namespace auslan

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "synthesis/performance.h"
+
+#include "kinematics/arm_ik.h"
+#include "kinematics/elementary.h"
+#include "kinematics/interpolate.h"
+#include "kinematics/rotation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace auslan {
+namespace {
+
+constexpr double kBlinkSeconds = 0.16;
+constexpr double kBreathHz = 0.24;
+constexpr double kBreath = 0.35 * kDegree;
+
+/// Rises over the onset, holds, falls over the release; the ramps are minimum-jerk curves.
+double envelope(Tick time, Tick begin, Tick end, Tick onset, Tick release) {
+  if (time <= begin || time >= end) return 0;
+  const double up = onset > 0 ? minimum_jerk(static_cast<double>(time - begin) / static_cast<double>(onset)) : 1.0;
+  const double down = release > 0 ? minimum_jerk(static_cast<double>(end - time) / static_cast<double>(release)) : 1.0;
+  return up * down;
+}
+
+double mix(double a, double b, double t) {
+  return a + (b - a) * t;
+}
+
+HandAngles mix(const HandAngles& a, const HandAngles& b, double t) {
+  HandAngles m;
+  for (size_t i = 0; i < 4; ++i) {
+    m.fingers[i].mcp = mix(a.fingers[i].mcp, b.fingers[i].mcp, t);
+    m.fingers[i].pip = mix(a.fingers[i].pip, b.fingers[i].pip, t);
+    m.fingers[i].dip = mix(a.fingers[i].dip, b.fingers[i].dip, t);
+    m.fingers[i].abduction = mix(a.fingers[i].abduction, b.fingers[i].abduction, t);
+  }
+  m.thumb.radial_abduction = mix(a.thumb.radial_abduction, b.thumb.radial_abduction, t);
+  m.thumb.palmar_abduction = mix(a.thumb.palmar_abduction, b.thumb.palmar_abduction, t);
+  m.thumb.opposition = mix(a.thumb.opposition, b.thumb.opposition, t);
+  m.thumb.mp = mix(a.thumb.mp, b.thumb.mp, t);
+  m.thumb.ip = mix(a.thumb.ip, b.thumb.ip, t);
+  return m;
+}
+
+void oscillate(const Oscillation& oscillation, double tau, HandState& state) {
+  if (oscillation.cycles <= 0) return;
+  // Fades in over the first and out over the last quarter cycle, so that it starts and ends at rest.
+  const double edge = std::min(0.5, 0.25 / oscillation.cycles + 0.05);
+  const double fade = minimum_jerk(tau / edge) * minimum_jerk((1.0 - tau) / edge);
+  const double angle = 2.0 * kPi * (oscillation.cycles * tau + oscillation.phase);
+  const double wave = fade * sine(angle);
+  state.wrist.position += oscillation.shift * wave;
+  if (oscillation.turn != Vec3(0.0))
+    state.wrist.rotation = from_rotation_vector(oscillation.turn * wave) * state.wrist.rotation;
+  if (oscillation.flex != 0) {
+    const double closing = fade * 0.5 * (1.0 - cosine(angle)) * oscillation.flex;
+    for (DigitAngles& finger : state.angles.fingers) {
+      finger.mcp = std::min(finger.mcp + closing, 95 * kDegree);
+      finger.pip = std::min(finger.pip + closing, 105 * kDegree);
+    }
+  }
+  if (oscillation.wiggle != 0) {
+    for (size_t i = 0; i < 4; ++i) {
+      const double finger = fade * sine(angle + 0.5 * kPi * static_cast<double>(i)) * oscillation.wiggle;
+      state.angles.fingers[i].mcp += 0.6 * finger + 0.4 * oscillation.wiggle * fade;
+      state.angles.fingers[i].pip += 0.4 * finger + 0.4 * oscillation.wiggle * fade;
+    }
+  }
+}
+
+std::vector<int> mirror_table(const Skeleton& skeleton) {
+  std::vector<int> table;
+  for (int i = 0; i < skeleton.size(); ++i) {
+    std::string name = skeleton.node(i).name;
+    int image = i;
+    if (name.size() > 2 && name[name.size() - 2] == '_' && (name.back() == 'l' || name.back() == 'r')) {
+      name.back() = name.back() == 'l' ? 'r' : 'l';
+      const int found = skeleton.find(name);
+      if (found != kNoNode) image = found;
+    }
+    table.push_back(image);
+  }
+  return table;
+}
+
+void mirror_pose(const std::vector<int>& table, Pose& pose) {
+  for (size_t i = 0; i < table.size(); ++i) {
+    const auto j = static_cast<size_t>(table[i]);
+    if (j < i) continue;
+    const Quat a = pose.rotation[i], b = pose.rotation[j];
+    pose.rotation[i] = Quat(b.w, b.x, -b.y, -b.z);
+    pose.rotation[j] = Quat(a.w, a.x, -a.y, -a.z);
+  }
+  pose.root_translation.x = -pose.root_translation.x;
+  const auto swap = [&pose](FaceChannel left, FaceChannel right) {
+    std::swap(pose.face[static_cast<size_t>(left)], pose.face[static_cast<size_t>(right)]);
+  };
+  using enum FaceChannel;
+  swap(kBrowOuterUpLeft, kBrowOuterUpRight);
+  swap(kBrowDownLeft, kBrowDownRight);
+  swap(kEyeBlinkLeft, kEyeBlinkRight);
+  swap(kEyeWideLeft, kEyeWideRight);
+  swap(kMouthSmileLeft, kMouthSmileRight);
+  swap(kMouthFrownLeft, kMouthFrownRight);
+  swap(kMouthStretchLeft, kMouthStretchRight);
+  swap(kMouthPressLeft, kMouthPressRight);
+  swap(kMouthLowerDownLeft, kMouthLowerDownRight);
+  swap(kMouthUpperUpLeft, kMouthUpperUpRight);
+}
+
+}  // namespace
+
+HandState state_at(const HandSegment& segment, Tick time) {
+  const double length = static_cast<double>(std::max<Tick>(1, segment.end - segment.begin));
+  const double tau = std::clamp(static_cast<double>(time - segment.begin) / length, 0.0, 1.0);
+  const double s = minimum_jerk(tau);
+  const HandState &a = segment.from, &b = segment.to;
+  HandState state;
+  state.wrist.position =
+      a.wrist.position + (b.wrist.position - a.wrist.position) * s + segment.bulge * (4.0 * s * (1.0 - s));
+  if (segment.turns > 0) {
+    double sn = 0, cs = 1;
+    sine_cosine(2.0 * kPi * segment.turns * s, sn, cs);
+    state.wrist.position += segment.circle_u * (cs - 1.0) + segment.circle_v * sn;
+  }
+  state.wrist.rotation = slerp(a.wrist.rotation, b.wrist.rotation, s);
+  state.swivel = mix(a.swivel, b.swivel, s);
+  state.follows_head = mix(a.follows_head, b.follows_head, s);
+  state.angles = mix(a.angles, b.angles, minimum_jerk(tau / std::max(0.05, segment.digits_lead)));
+  oscillate(segment.oscillation, tau, state);
+  return state;
+}
+
+Performance::Performance(const Signer& signer, Score score, const PerformanceOptions& options)
+    : signer_(&signer), score_(std::move(score)), options_(options), mirror_(mirror_table(signer.figure().skeleton)) {
+  // Blinks every 2.5 to 5 seconds, from a linear congruential generator (Knuth's MMIX constants).
+  uint64_t random = options.seed * 6364136223846793005ULL + 1442695040888963407ULL;
+  Tick next = ticks(0.9);
+  while (options.idle && next < score_.end) {
+    blinks_.push_back(next);
+    random = random * 6364136223846793005ULL + 1442695040888963407ULL;
+    next += ticks(2.5) + static_cast<Tick>((random >> 33U) % static_cast<uint64_t>(ticks(2.5)));
+  }
+}
+
+void Performance::sample_hand(Side side, Tick time, const Transform& trunk, const Transform& head, Pose& pose) const {
+  const auto& track = score_.hands[static_cast<size_t>(side)];
+  HandState state = signer_->rest(side);
+  if (!track.empty()) {
+    auto segment = std::upper_bound(track.begin(), track.end(), time,
+                                    [](Tick t, const HandSegment& candidate) { return t < candidate.end; });
+    if (segment == track.end()) --segment;
+    state = state_at(*segment, time);
+  }
+  // The hand goes where the body carries it: with the trunk, or with the head while it touches the face.
+  Transform wrist{trunk.rotation * state.wrist.rotation, apply(trunk, state.wrist.position)};
+  if (state.follows_head > 0) {
+    const Vec3 with_head = apply(head, state.wrist.position);
+    wrist.position += (with_head - wrist.position) * state.follows_head;
+    wrist.rotation = slerp(wrist.rotation, head.rotation * state.wrist.rotation, state.follows_head);
+  }
+  const Skeleton& skeleton = signer_->figure().skeleton;
+  const ArmNodes nodes = arm_nodes(skeleton, side);
+  const Transform parent{trunk.rotation, apply(trunk, skeleton.rest_position(skeleton.node(nodes.shoulder).parent))};
+  const ArmSolution arm = solve_arm(skeleton, side, parent, wrist, state.swivel);
+  pose.rotation[static_cast<size_t>(nodes.shoulder)] = arm.shoulder;
+  pose.rotation[static_cast<size_t>(nodes.elbow)] = arm.elbow;
+  pose.rotation[static_cast<size_t>(nodes.wrist)] = arm.wrist;
+  pose_hand(skeleton, side, state.angles, pose);
+}
+
+void Performance::sample_face(Tick time, FaceWeights& face) const {
+  face = {};
+  for (const FaceSpan& span : score_.face) {
+    if (time <= span.begin || time >= span.end) continue;
+    const auto strength = static_cast<float>(envelope(time, span.begin, span.end, span.onset, span.release));
+    for (size_t i = 0; i < face.size(); ++i)
+      face[i] = std::min(1.0F, face[i] + strength * span.weights[i]);
+  }
+  for (const Tick blink : blinks_) {
+    const Tick half = ticks(kBlinkSeconds) / 2;
+    const auto closed = static_cast<float>(envelope(time, blink, blink + 2 * half, half, half));
+    for (const FaceChannel lid : {FaceChannel::kEyeBlinkLeft, FaceChannel::kEyeBlinkRight}) {
+      float& weight = face[static_cast<size_t>(lid)];
+      weight = std::max(weight, closed);
+    }
+  }
+}
+
+void Performance::sample(Tick time, Pose& pose) const {
+  time = std::clamp<Tick>(time, 0, score_.end);
+  const Skeleton& skeleton = signer_->figure().skeleton;
+  pose.rotation.resize(static_cast<size_t>(skeleton.size()), kIdentity);
+  Vec3 head_turn(0.0), trunk_turn(0.0);
+  for (const BodySpan& span : score_.body) {
+    const double strength = envelope(time, span.begin, span.end, span.onset, span.release);
+    if (strength <= 0) continue;
+    head_turn += span.head * strength;
+    trunk_turn += span.trunk * strength;
+    if (span.swing_hz > 0)
+      head_turn += span.swing * (strength * sine(2.0 * kPi * span.swing_hz * seconds(time - span.begin)));
+  }
+  if (options_.idle) trunk_turn.x -= kBreath * sine(2.0 * kPi * kBreathHz * seconds(time));
+  const int spine = skeleton.find("spine_base"), neck = skeleton.find("neck_base"), head = skeleton.find("head_base");
+  const Quat trunk = from_rotation_vector(trunk_turn);
+  const Quat half_turn = from_rotation_vector(head_turn * 0.5);
+  pose.rotation[static_cast<size_t>(spine)] = trunk;
+  pose.rotation[static_cast<size_t>(neck)] = half_turn;
+  pose.rotation[static_cast<size_t>(head)] = half_turn;
+  pose.root_translation = Vec3(0.0);
+  // How trunk and head are displaced from rest.
+  const auto about = [](const Quat& rotation, const Vec3& rest, const Vec3& now) {
+    return Transform{rotation, now - rotation * rest};
+  };
+  const Vec3 spine_rest = skeleton.rest_position(spine), neck_rest = skeleton.rest_position(neck),
+             head_rest = skeleton.rest_position(head);
+  const Transform trunk_moved = about(trunk, spine_rest, spine_rest);
+  const Vec3 head_now = apply(trunk_moved, neck_rest) + (trunk * half_turn) * (head_rest - neck_rest);
+  const Transform head_moved = about(trunk * half_turn * half_turn, head_rest, head_now);
+  sample_hand(Side::kLeft, time, trunk_moved, head_moved, pose);
+  sample_hand(Side::kRight, time, trunk_moved, head_moved, pose);
+  sample_face(time, pose.face);
+  if (options_.left_handed) mirror_pose(mirror_, pose);
+}
+
+}  // namespace auslan

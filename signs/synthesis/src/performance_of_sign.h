@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// One entry as a list of beats: what both hands do from its first posture to its last, without regard to what comes
+// before and after.
+#pragma once
+
+#include "kinematics/result.h"
+#include "synthesis/score.h"
+#include "synthesis/signer.h"
+#include "synthesis/utterance.h"
+
+#include <optional>
+#include <vector>
+
+namespace auslan {
+
+/// A stretch of time in which each active hand makes one segment. Times of the segments are relative: 0 to `seconds`.
+struct Beat {
+  double seconds = 0;
+  bool hold = false;                 ///< a hold at a phonological target
+  std::array<HandSegment, 2> hands;  ///< by Side; only that of an active hand counts
+};
+
+struct SignPerformance {
+  std::array<bool, 2> active{};    ///< by Side
+  std::array<HandState, 2> start;  ///< where the transition into the sign ends
+  std::array<Vec3, 2> approach{};  ///< outward normal of what is touched at the start, else zero
+  std::array<Vec3, 2> leave{};     ///< the same at the end
+  std::vector<Beat> beats;
+};
+
+/// `waiting`: where a hand is that the sign does not use (its arm may be touched).
+Result<SignPerformance> perform(const Signer& signer, const Utterance& utterance, const Unit& unit,
+                                const std::array<HandState, 2>& waiting);
+
+}  // namespace auslan

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "synthesis/signer.h"
+
+#include "kinematics/arm_ik.h"
+#include "kinematics/elementary.h"
+#include "kinematics/rotation.h"
+#include "kinematics/surface.h"
+#include "phonology/vocabulary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace auslan {
+namespace {
+
+// An offset along a palm or forearm keeps the hand on it: no farther than this from its centre, metres.
+constexpr double kPalmReach = 0.045;
+// A hand that is `near` a place keeps this distance, metres.
+constexpr double kNearDistance = 0.015;
+
+Vec3 for_side(const Vec3& right_handed, Side side) {
+  return side == Side::kRight ? right_handed : Vec3(-right_handed.x, right_handed.y, right_handed.z);
+}
+
+Transform parent_of_shoulder(const Skeleton& skeleton, Side side) {
+  const ArmNodes nodes = arm_nodes(skeleton, side);
+  return {kIdentity, skeleton.rest_position(skeleton.node(nodes.shoulder).parent)};
+}
+
+/// The part that a hand touches with where the entry does not say: a pointing hand its tip, a broad one the palm when
+/// that faces the place, else the fingertips.
+HandPart default_part(const Handshape& handshape, bool palm_faces) {
+  if (handshape.selected == "index") return HandPart::kIndexTip;
+  if (handshape.selected == "middle") return HandPart::kMiddleTip;
+  if (handshape.selected == "little") return HandPart::kLittleTip;
+  if (handshape.selected == "thumb") return HandPart::kThumbTip;
+  if (handshape.selected == "index+middle") return HandPart::kIndexMiddleTips;
+  if (handshape.selected == "index+thumb") return HandPart::kThumbIndexTips;
+  return palm_faces ? HandPart::kPalm : HandPart::kFingertips;
+}
+
+bool is_broad(Location location) {
+  switch (location) {
+    case Location::kOtherPalm:
+    case Location::kOtherBack:
+    case Location::kOtherWristBack:
+    case Location::kOtherWristInner:
+    case Location::kOtherForearmBack:
+    case Location::kOtherForearmInner:
+    case Location::kOtherUlnar:
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+HandAngles hand_angles(const Handshape& handshape) {
+  HandAngles angles;
+  for (size_t i = 0; i < 4; ++i) {
+    const FingerAngles& finger = handshape.fingers[i];
+    angles.fingers[i] = {finger.mcp * kDegree, finger.pip * kDegree, finger.dip * kDegree, finger.abduction * kDegree};
+  }
+  const ThumbAngles& thumb = handshape.thumb;
+  angles.thumb = {thumb.radial_abduction * kDegree, thumb.palmar_abduction * kDegree, thumb.opposition,
+                  thumb.mp * kDegree, thumb.ip * kDegree};
+  return angles;
+}
+
+HandState mirrored(const HandState& state) {
+  HandState image = state;
+  const Quat& q = state.wrist.rotation;
+  image.wrist.rotation = Quat(q.w, q.x, -q.y, -q.z);
+  image.wrist.position.x = -state.wrist.position.x;
+  return image;
+}
+
+Signer::Signer(const Figure& figure, BodySites body, std::array<HandSites, 2> hands)
+    : figure_(&figure),
+      body_(std::move(body)),
+      hands_(std::move(hands)),
+      frames_{rest_hand_frame(figure.skeleton, Side::kLeft), rest_hand_frame(figure.skeleton, Side::kRight)} {}
+
+Result<Signer> Signer::build(const Figure& figure) {
+  auto body = BodySites::build(figure);
+  if (!body) return tl::unexpected(body.error());
+  auto left = HandSites::build(figure, Side::kLeft);
+  if (!left) return tl::unexpected(left.error());
+  auto right = HandSites::build(figure, Side::kRight);
+  if (!right) return tl::unexpected(right.error());
+  return Signer(figure, std::move(*body), {std::move(*left), std::move(*right)});
+}
+
+ArmPlacement Signer::place_arm(Side side, const HandState& state) const {
+  const Skeleton& skeleton = figure_->skeleton;
+  const ArmNodes nodes = arm_nodes(skeleton, side);
+  const Transform parent = parent_of_shoulder(skeleton, side);
+  const ArmSolution arm = solve_arm(skeleton, side, parent, state.wrist, state.swivel);
+  ArmPlacement placed;
+  placed.shoulder = {parent.rotation * arm.shoulder, apply(parent, skeleton.node(nodes.shoulder).offset)};
+  placed.elbow = {placed.shoulder.rotation * arm.elbow, apply(placed.shoulder, skeleton.node(nodes.elbow).offset)};
+  placed.wrist = {placed.elbow.rotation * arm.wrist, apply(placed.elbow, skeleton.node(nodes.wrist).offset)};
+  return placed;
+}
+
+Site Signer::other_site(Location location, HandPart touching, Side other_side, const HandState& other,
+                        const Vec3& comes_from) const {
+  if (location == Location::kUpperArm || location == Location::kElbow) {
+    const ArmPlacement arm = place_arm(other_side, other);
+    const double along = location == Location::kUpperArm ? 0.45 : 0.97;
+    const Vec3 axis = arm.elbow.position - arm.shoulder.position;
+    const Vec3 middle = arm.shoulder.position + axis * along;
+    // Upper arms are about as thick as a quarter of their length; the exact skin is found by a ray in the arm's own
+    // frame.
+    const Vec3 out = unit(comes_from - unit(axis) * glm::dot(comes_from, unit(axis)));
+    const ArmNodes nodes = arm_nodes(figure_->skeleton, other_side);
+    const std::array<int, 1> only = {nodes.shoulder};
+    const Quat to_rest = glm::conjugate(arm.shoulder.rotation);
+    const Vec3 rest_middle =
+        figure_->skeleton.rest_position(nodes.shoulder) + to_rest * (middle - arm.shoulder.position);
+    const Vec3 rest_out = to_rest * out;
+    const auto hit = cast_ray(*figure_, only, rest_middle + rest_out * 0.5, -rest_out);
+    if (!hit) return {middle + out * 0.05, out};
+    return {apply(arm.shoulder, hit->position), arm.shoulder.rotation * hit->normal};
+  }
+  const Quat to_wrist = glm::conjugate(other.wrist.rotation);
+  const Site local = hand(other_side).site_for(location, touching, other.angles, to_wrist * comes_from);
+  return {apply(other.wrist, local.position), other.wrist.rotation * local.normal};
+}
+
+PlacedHand Signer::place(const Posture& posture, const Handshape& handshape, Side side,
+                         const OtherHand& counterpart) const {
+  PlacedHand placed;
+  HandState& state = placed.state;
+  state.angles = hand_angles(handshape);
+  const Vec3 fingers = for_side(to_vector(posture.fingers), side);
+  const Vec3 palm = for_side(to_vector(posture.palm), side);
+  state.wrist.rotation = orient_hand(hand_frame(side), fingers, palm);
+  const Vec3 offset = for_side(posture.offset, side);
+  const bool contact = posture.contact.has_value();
+  const ContactKind kind = contact ? posture.contact->kind : ContactKind::kNear;
+  placed.touching = contact && kind != ContactKind::kNear;
+
+  // A finer target on the other hand takes precedence over the posture's own location.
+  Location location = posture.location;
+  if (contact && posture.contact->target) location = *posture.contact->target;
+  const bool on_arm = location == Location::kUpperArm || location == Location::kElbow;
+  const bool on_other = is_on_other_hand(location) || on_arm;
+  const bool palm_faces = is_on_head(location) || on_other ? palm.z < -0.5 || on_other : palm.z < -0.5;
+  std::optional<HandPart> named;
+  if (contact) named = posture.contact->part;
+  const HandPart part = named ? *named : (placed.touching ? default_part(handshape, palm_faces) : HandPart::kPalm);
+  const Site local = hand(side).site(part, state.angles);
+  const Vec3 reach = state.wrist.rotation * local.position;
+
+  Site site;
+  if (on_other && counterpart.mirrored) {
+    // The two hands meet in the middle plane.
+    site = body_.site(is_in_space(posture.location) ? posture.location : Location::kNeutral, side, offset, false);
+    site.position.x = on_arm ? site.position.x : 0.0;
+    site.normal = Vec3(side == Side::kRight ? -1.0 : 1.0, 0, 0);
+  } else if (on_other && counterpart.state != nullptr) {
+    const Vec3 comes_from = side == Side::kRight ? Vec3(-0.7, 0.1, 0.7) : Vec3(0.7, 0.1, 0.7);
+    site = other_site(location, part, other(side), *counterpart.state, comes_from);
+    if (!placed.touching) {
+      site.position += offset;
+    } else if (is_broad(location)) {
+      Vec3 slide = offset - site.normal * glm::dot(offset, site.normal);
+      const double length = std::sqrt(glm::dot(slide, slide));
+      if (length > kPalmReach) slide *= kPalmReach / length;
+      site.position += slide;
+    }
+  } else {
+    site = body_.site(on_other ? Location::kNeutral : location, side, offset, placed.touching);
+  }
+  if (contact && kind == ContactKind::kNear) site.position += site.normal * kNearDistance;
+  placed.normal = placed.touching ? site.normal : -palm;
+  state.wrist.position = site.position - reach;
+  state.follows_head = is_on_head(location) && (placed.touching || kind == ContactKind::kNear) ? 1.0 : 0.0;
+  state.swivel = natural_swivel(figure_->skeleton, side, parent_of_shoulder(figure_->skeleton, side), state.wrist);
+  return placed;
+}
+
+HandState Signer::rest(Side side) const {
+  HandState state;
+  const double s = side == Side::kRight ? -1.0 : 1.0;
+  const Vec3& shoulder = body_.shoulder(side);
+  state.wrist.rotation = orient_hand(hand_frame(side), Vec3(s * 0.05, -1.0, 0.12), Vec3(-s, 0.0, -0.25));
+  state.wrist.position = Vec3(shoulder.x + s * 0.07, body_.waist_height() - 0.02, shoulder.z + 0.05);
+  Handshape relaxed;
+  relaxed.fingers = {FingerAngles{20, 25, 15, 3}, FingerAngles{24, 28, 17, 0}, FingerAngles{27, 31, 18, 2},
+                     FingerAngles{30, 34, 20, 4}};
+  relaxed.thumb = {20, 20, 0.3, 12, 12};
+  state.angles = hand_angles(relaxed);
+  state.swivel = natural_swivel(figure_->skeleton, side, parent_of_shoulder(figure_->skeleton, side), state.wrist);
+  return state;
+}
+
+}  // namespace auslan
