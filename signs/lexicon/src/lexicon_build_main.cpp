@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // auslan-lexicon-build SOURCES -o OUT: compiles the lexicon's text into the database the programs open.
+// auslan-lexicon-build SOURCES --format: writes the text again in its canonical form.
 #include "lexicon/lexicon.h"
 
 #include <cstdio>
@@ -25,9 +26,10 @@ void report(const auslan::Error& error) {
 
 int main(int argc, char** argv) {
   const std::vector<std::string_view> arguments(argv + 1, argv + argc);
-  if (arguments.size() != 3 || arguments[1] != "-o" || arguments[0].empty() || arguments[2].empty()) return usage();
+  const bool build = arguments.size() == 3 && arguments[1] == "-o" && !arguments[2].empty();
+  const bool format = arguments.size() == 2 && arguments[1] == "--format";
+  if ((!build && !format) || arguments[0].empty()) return usage();
   const std::filesystem::path folder(arguments[0]);
-  const std::filesystem::path out(arguments[2]);
   // Every problem is told, one a line, so that an editor can jump to each.
   if (const std::vector<auslan::Error> problems = auslan::check_lexicon_text(folder); !problems.empty()) {
     for (const auslan::Error& problem : problems)
@@ -40,8 +42,10 @@ int main(int argc, char** argv) {
     report(text.error());
     return 1;
   }
-  if (const auslan::Result<void> built = auslan::build_database(*text, out); !built) {
-    report(built.error());
+  const auslan::Result<void> written =
+      build ? auslan::build_database(*text, arguments[2]) : auslan::save_lexicon_text(*text, folder);
+  if (!written) {
+    report(written.error());
     return 1;
   }
   return 0;

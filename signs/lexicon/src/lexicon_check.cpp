@@ -119,15 +119,20 @@ void check_face(const NonManual& face, Findings& findings) {
   }
 }
 
-bool is_parallel(const Direction& a, const Direction& b) {
-  return a.up * b.away == a.away * b.up && a.away * b.left == a.left * b.away && a.left * b.up == a.up * b.left;
+/// The palm must face across the fingers: between 53 and 127 degrees from them. Nearer than that the two directions say
+/// nothing about the turn of the forearm that could be trusted.
+bool is_across(const Direction& a, const Direction& b) {
+  const int dot = a.left * b.left + a.up * b.up + a.away * b.away;
+  const int length_a = a.left * a.left + a.up * a.up + a.away * a.away;
+  const int length_b = b.left * b.left + b.up * b.up + b.away * b.away;
+  return length_a > 0 && length_b > 0 && 100 * dot * dot <= 36 * length_a * length_b;
 }
 
 void check_posture(const Posture& posture, const std::string& part, Findings& findings) {
   findings.require(!posture.handshape.empty(), part, "no handshape");
-  findings.require(!is_parallel(posture.fingers, posture.palm), part,
-                   "the palm faces along the fingers; expected palm " + to_name(posture.palm) + " across fingers " +
-                       to_name(posture.fingers));
+  findings.require(is_across(posture.fingers, posture.palm), part,
+                   "palm " + to_name(posture.palm) + " faces along fingers " + to_name(posture.fingers) +
+                       "; expected a palm that faces across them");
   for (const double v : {posture.offset.x, posture.offset.y, posture.offset.z})
     if (!(std::fabs(v) <= kMaxOffset)) {
       findings.add(part, "the offset is more than 60 cm; expected centimetres [left, up, away]");
