@@ -1,30 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gltf/figure_gltf.h"
-#include "kinematics/little_endian.h"
-#include "sample_figure.h"
+#include "glb_document.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 #include <string>
 
 namespace auslan {
 namespace {
 
 using test::difference;
+using test::GlbDocument;
+using test::open_glb;
 using test::read_bytes;
 using test::sample_figure;
 using test::ScratchFolder;
-
-struct Document {
-  nlohmann::json json;
-  std::string binary;
-};
-
-Document open(const std::string& glb) {
-  const auto length = load_little_endian<uint32_t>(glb.data() + 12);
-  return {.json = nlohmann::json::parse(glb.substr(20, length)), .binary = glb.substr(20 + length + 8)};
-}
 
 TEST(GltfRoundTrip, GivesTheSameFigureBitForBit) {
   const ScratchFolder folder("gltf");
@@ -59,7 +48,7 @@ TEST(GltfWriter, WritesTheSameBytesAgain) {
 TEST(GltfWriter, ColoursAreLinearLight) {
   const ScratchFolder folder("gltf");
   ASSERT_TRUE(write_gltf(sample_figure(), folder / "figure.glb"));
-  const Document document = open(read_bytes(folder / "figure.glb"));
+  const GlbDocument document = open_glb(read_bytes(folder / "figure.glb"));
   const Figure figure = sample_figure();
   const Mesh& mesh = figure.segments[2];
   const auto& primitive = document.json["meshes"][1]["primitives"][0];
@@ -82,7 +71,7 @@ TEST(GltfWriter, ColoursAreLinearLight) {
 TEST(GltfWriter, NamesMorphTargetsAsArkitDoesAndStoresThemSparse) {
   const ScratchFolder folder("gltf");
   ASSERT_TRUE(write_gltf(sample_figure(), folder / "figure.glb"));
-  const Document document = open(read_bytes(folder / "figure.glb"));
+  const GlbDocument document = open_glb(read_bytes(folder / "figure.glb"));
   const auto& mesh = document.json["meshes"][1];
   EXPECT_EQ(mesh["extras"]["targetNames"], nlohmann::json({"tongueOut", "jawOpen", "mouthPucker"}));
   const size_t target = mesh["primitives"][0]["targets"][0]["POSITION"].get<size_t>();

@@ -245,12 +245,15 @@ bool is_image_too_large(const unsigned char* bytes, size_t size) {
   return false;
 }
 
-Folder::Folder(const std::filesystem::path& folder) : bytes_left_(2 * kMaxGltfBytes) {
+Folder::Folder(const std::filesystem::path& folder)
+    : base_((folder.empty() ? std::filesystem::path(".") : folder).string()), bytes_left_(2 * kMaxGltfBytes) {
+  if (!base_.ends_with('/')) base_ += '/';
   std::error_code error;
-  folder_ = std::filesystem::canonical(folder.empty() ? std::filesystem::path(".") : folder, error);
+  folder_ = std::filesystem::canonical(base_, error);
 }
 
 bool Folder::holds(const std::string& path) {
+  if (!path.starts_with(base_)) return false;
   std::error_code error;
   const std::filesystem::path found = std::filesystem::canonical(path, error);
   if (error || folder_.empty()) {

@@ -41,13 +41,17 @@ class Folder {
  public:
   explicit Folder(const std::filesystem::path& folder);
 
-  /// Whether something is there and, links followed, lies inside; remembers why not.
+  /// What tinygltf is to put before the names of files.
+  const std::string& base() const { return base_; }
+  /// Whether something is there and, links followed, lies inside; remembers why not. Paths that do not begin with
+  /// base() are not there: tinygltf also tries the working directory.
   bool holds(const std::string& path);
   /// The bytes of a regular file inside, as long as the bound on all files together allows; remembers why not.
   bool read(const std::string& path, std::vector<unsigned char>& bytes);
   const std::optional<Error>& error() const { return error_; }
 
  private:
+  std::string base_;
   std::filesystem::path folder_;
   uint64_t bytes_left_;
   std::optional<Error> error_;

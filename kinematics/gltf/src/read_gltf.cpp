@@ -66,13 +66,12 @@ Result<tinygltf::Model> parse_model(std::string_view bytes, bool is_glb, const s
   tinygltf::Model model;
   std::string error;
   std::string warning;
-  const std::string base = path_of_folder.empty() ? "." : path_of_folder.string();
   const auto size = static_cast<unsigned>(bytes.size());
   const bool is_loaded =
       is_glb ? loader.LoadBinaryFromMemory(&model, &error, &warning,
                                            static_cast<const unsigned char*>(static_cast<const void*>(bytes.data())),
-                                           size, base)
-             : loader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, base);
+                                           size, folder.base())
+             : loader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, folder.base());
   if (is_loaded) return model;
   if (image_error) return tl::unexpected<Error>(*image_error);
   if (folder.error()) return tl::unexpected<Error>(*folder.error());

@@ -9,6 +9,9 @@
 //              vertices x 3 f32 position, vertices x 3 f32 normal, vertices x 4 u8 colour, indices x u32,
 //              for each morph: u32 channel, u32 count, count x u32 vertex, count x 3 f32 displacement
 //   text     u32 length, then that many bytes
+//   checksum FNV-1a over 64-bit words instead of bytes: h = (0xcbf29ce484222325 ^ length) * 0x100000001b3 (mod 2^64),
+//   then
+//            for each word, the last filled with zero bytes: h = (h ^ word) * 0x100000001b3, h ^= h >> 32
 #pragma once
 
 #include "kinematics/figure.h"
@@ -33,6 +36,9 @@ inline constexpr size_t kMaxFigureMorphs = 256;  ///< of one mesh
 /// finite positions, unit normals, opaque colours, morph vertices ascending. kMalformed with the node's name as
 /// `place`.
 Result<void> check_figure(const Figure& figure);
+
+/// The checksum of a payload, as the header of the file holds it.
+uint64_t figure_checksum(std::span<const std::byte> payload);
 
 /// The bytes of the file. The same figure always gives the same bytes. `figure` passes check_figure.
 std::string serialise_figure(const Figure& figure);

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Writes the files that the fuzzers of figures start from: figure_seeds gltf|figure_file FOLDER.
+#include "glb_document.h"
+#include "kinematics/figure_file.h"
+
+#include <iostream>
+#include <string_view>
+
+int main(int argc, char** argv) {
+  using namespace auslan;
+  if (argc != 3) {
+    std::cerr << "usage: figure_seeds gltf|figure_file FOLDER\n";
+    return 2;
+  }
+  const std::filesystem::path folder(argv[2]);
+  std::filesystem::create_directories(folder);
+  const Figure figure = test::tiny_figure();
+  if (std::string_view(argv[1]) == "figure_file") {
+    test::write_bytes(folder / "tiny.figure", serialise_figure(figure));
+    return 0;
+  }
+  const std::string glb = test::glb_bytes(figure);
+  const test::GlbDocument document = test::open_glb(glb);
+  test::write_bytes(folder / "tiny.glb", glb);
+  test::write_bytes(folder / "tiny.parts", document.json.dump() + '\0' + document.binary);
+  return 0;
+}
