@@ -83,6 +83,9 @@ Status Renderer::end_frame(std::span<uint32_t> pixels) {
   Band& band = state.band;
   band.width = width;
   state.active.clear();
+  // The two lists take turns, so both need the room that either may come to need.
+  state.active.reserve(frame.triangles.size());
+  state.next_active.reserve(frame.triangles.size());
   const auto samples = static_cast<size_t>(frame.samples);
   uint32_t begin = 0;
   for (size_t number = 0; number < band_count; ++number) {
