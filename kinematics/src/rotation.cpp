@@ -93,10 +93,13 @@ Quat rotation_between(const Vec3& from, const Vec3& to) {
   if (!(scale > 1e-300)) return kIdentity;
   const Vec3 a = unit(from);
   const Vec3 b = unit(to);
-  // The half-way vector stays accurate where the cross product of nearly opposite vectors does not.
   const Vec3 half = a + b;
   if (glm::dot(half, half) > 1e-24) {
-    const Vec3 h = unit(half);
+    // Between nearly opposite vectors the sum is mostly rounding, but it is known to be perpendicular to the
+    // difference.
+    const Vec3 difference = a - b;
+    const double square = glm::dot(difference, difference);
+    const Vec3 h = unit(square > 1.0 ? half - difference * (glm::dot(half, difference) / square) : half);
     return renormalised(quat(glm::dot(a, h), glm::cross(a, h)));
   }
   const double x = a.x < 0.0 ? -a.x : a.x;
@@ -130,7 +133,8 @@ Quat rotation_between_frames(const Vec3& a0, const Vec3& b0, const Vec3& a1, con
   const Vec3 c1 = unit(glm::cross(a1, b1));
   const Mat3 from(a0, glm::cross(c0, a0), c0);
   const Mat3 to(a1, glm::cross(c1, a1), c1);
-  return renormalised(glm::quat_cast(to * glm::transpose(from)));
+  const Quat q = renormalised(glm::quat_cast(to * glm::transpose(from)));
+  return q.w < 0.0 ? -q : q;  // so that mirrored frames give exactly mirrored quaternions
 }
 
 SwingTwist swing_twist(const Quat& q, const Vec3& unit_axis) {

@@ -25,7 +25,7 @@ Quat renormalised(const Quat& q);
 /// v scaled to unit length; `fallback` when v is shorter than 1e-12.
 Vec3 unit(const Vec3& v, const Vec3& fallback = Vec3(1.0, 0.0, 0.0));
 /// The rotation that takes the frame spanned by (a0, b0) to that spanned by (a1, b1): a0 goes to a1 exactly, b0 to the
-/// half plane of b1. All unit; b is made perpendicular to a first and must not be parallel to it.
+/// half plane of b1. w >= 0. All unit; b is made perpendicular to a first and must not be parallel to it.
 Quat rotation_between_frames(const Vec3& a0, const Vec3& b0, const Vec3& a1, const Vec3& b1);
 
 struct SwingTwist {
