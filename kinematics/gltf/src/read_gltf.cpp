@@ -173,7 +173,8 @@ Result<void> read_morphs(const tinygltf::Mesh& source, gltf::AccessorReader& rea
                          Mesh& mesh) {
   const std::vector<std::map<std::string, int>>& targets = source.primitives.front().targets;
   if (targets.empty()) return {};
-  const tinygltf::Value& names = source.extras.Get("targetNames");
+  // Asked first: tinygltf asserts where it is no object.
+  const tinygltf::Value names = source.extras.IsObject() ? source.extras.Get("targetNames") : tinygltf::Value();
   if (!names.IsArray() || names.ArrayLen() != targets.size())
     return unsupported("the morph targets have no names; export them with extras.targetNames", place);
   for (size_t i = 0; i < targets.size(); ++i) {
