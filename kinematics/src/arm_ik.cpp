@@ -25,6 +25,12 @@ constexpr double kPreferredSwivel = 25.0 * kDegree;
 constexpr double kLimitWeight = 60.0;           // of a radian beyond a limit against one away from the preferred swivel
 constexpr double kLimitMargin = 5.0 * kDegree;  // limits count from this far within, so that the minimum lies inside
 
+// The trunk below the shoulders as an upright cylinder that the elbow's centre should stay out of, in units of the
+// shoulder joint's distance from the middle: mean waist and chest with the elbow's own thickness.
+constexpr double kTrunkHalfBreadth = 1.2;
+constexpr double kTrunkHalfDepth = 0.95;
+constexpr double kTrunkWeight = 12.0;  // low enough that the limits win
+
 double length(const Vec3& v) {
   return std::sqrt(glm::dot(v, v));
 }
@@ -119,7 +125,20 @@ struct SwivelCost {
                           squared_excess(limits[1], angles_about(axes[1], solution.elbow)) +
                           squared_excess(limits[2], angles_about(axes[2], solution.wrist));
     const double away = swivel - kPreferredSwivel;
-    return kLimitWeight * beyond + away * away;
+    return kLimitWeight * beyond + kTrunkWeight * square_inside_trunk(solution) + away * away;
+  }
+
+  // 0 outside, 1 on the axis of the trunk well below the shoulders; once differentiable.
+  double square_inside_trunk(const ArmSolution& solution) const {
+    const Vec3 upper = solution.shoulder * arm.upper_bone;
+    if (!(upper.y < 0.0)) return 0.0;
+    const double unit_length = arm.shoulder_offset.x < 0.0 ? -arm.shoulder_offset.x : arm.shoulder_offset.x;
+    if (!(unit_length > 0.0)) return 0.0;
+    const Vec3 elbow = (arm.shoulder_offset + upper * arm.upper_length) / unit_length;
+    const double x = elbow.x / kTrunkHalfBreadth;
+    const double z = (elbow.z - arm.shoulder_offset.z / unit_length) / kTrunkHalfDepth;
+    const double inside = 1.0 - std::sqrt(x * x + z * z);
+    return inside > 0.0 ? inside * inside * upper.y * upper.y : 0.0;
   }
 };
 

@@ -25,8 +25,9 @@ struct ArmSolution {
 ArmSolution solve_arm(const Skeleton& skeleton, Side side, const Transform& world_from_shoulder_parent,
                       const Transform& world_from_wrist, double swivel);
 
-/// The swivel that breaks the joint limits of the arm least and keeps the elbow near a natural place, down and slightly
-/// out. A soft minimum over a fixed grid, so that it varies continuously with the target. Within [-60, 150] degrees.
+/// The swivel that breaks the joint limits of the arm least and keeps the elbow out of the trunk and near a natural
+/// place, down and slightly out. A soft minimum over a fixed grid, so that it varies continuously with the target.
+/// Within [-60, 150] degrees.
 double natural_swivel(const Skeleton& skeleton, Side side, const Transform& world_from_shoulder_parent,
                       const Transform& world_from_wrist);
 
