@@ -148,9 +148,9 @@ inline TranslatorData vocabulary() {
   for (const char* gloss : {"CANT", "NOT-HAVE", "NOT-WANT", "NOT-LIKE", "NOT-UNDERSTAND", "DONT-KNOW"})
     add_entry(gloss);
   for (char letter = 'A'; letter <= 'Z'; ++letter)
-    add_entry(std::string(1, letter));
+    add_entry(std::string("fs:") + letter);
   for (int number = 0; number <= 20; ++number)
-    add_entry(std::to_string(number));
+    add_entry("num:" + std::to_string(number));
   for (EntryFacts& entry : data.entries)
     if (entry.gloss == "REJECTED-SIGN") entry.review = ReviewState::kRejected;
   data.irregular_lemmas = {{"teeth", "tooth", "noun"}, {"went", "go", "verb"},    {"left", "leave", "verb"},
@@ -167,8 +167,11 @@ inline std::string signed_line(const Translation& translation) {
     if (!line.empty()) line += ' ';
     if (item.kind == ItemKind::kPause) line += '|';
     if (item.kind == ItemKind::kNumber) line += '#';
-    for (size_t i = 0; i < item.glosses.size(); ++i)
-      line += (i > 0 ? "-" : "") + item.glosses[i];
+    for (size_t i = 0; i < item.glosses.size(); ++i) {
+      const std::string& gloss = item.glosses[i];
+      if (i > 0) line += '-';
+      line += gloss.substr(gloss.find(':') + 1);
+    }
   }
   return line;
 }

@@ -58,14 +58,24 @@ std::string join(const std::vector<std::string>& words, std::string_view between
   return result;
 }
 
+/// K-I-M: letters and digits without the prefix of their entries.
+std::string spelled(const std::vector<std::string>& glosses) {
+  std::string result;
+  for (const std::string& gloss : glosses) {
+    if (!result.empty()) result += '-';
+    result += std::string_view(gloss).substr(gloss.rfind(':') + 1);
+  }
+  return printable(result);
+}
+
 std::string gloss_of(const Item& item) {
   switch (item.kind) {
     case ItemKind::kSign:
       return join(item.glosses, " ");
     case ItemKind::kSpelled:
-      return printable(join(item.glosses, "-"));
+      return spelled(item.glosses);
     case ItemKind::kNumber:
-      return printable(std::string("#").append(join(item.glosses, "-")));
+      return std::string("#").append(spelled(item.glosses));
     case ItemKind::kPause: {
       std::array<char, 32> text{};
       std::snprintf(text.data(), text.size(), "pause %.2f s", item.pause_seconds);

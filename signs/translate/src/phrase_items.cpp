@@ -35,6 +35,12 @@ std::string_view slot_name(Slot slot) {
   return {};
 }
 
+std::string rule_of(const Phrase& phrase) {
+  std::string rule = "phrase:";
+  if (!phrase.domain.empty()) rule += phrase.domain + "/";
+  return rule + (phrase.id.empty() ? phrase.english : phrase.id);
+}
+
 class PhraseBuilder {
  public:
   PhraseBuilder(const Clause& clause, std::span<const Word> words, const WordIndex& index, Resolver* resolver,
@@ -46,7 +52,7 @@ class PhraseBuilder {
         warnings_(warnings),
         out_(out),
         phrase_(index.phrases()[static_cast<size_t>(clause.match.phrase)]),
-        rule_("phrase:" + (phrase_.id.empty() ? phrase_.english : phrase_.id)) {}
+        rule_(rule_of(phrase_)) {}
 
   void build() {
     owner_.assign(clause_.end - clause_.begin, kNobody);

@@ -63,7 +63,7 @@ void Resolver::rate(Item* item) const {
 std::vector<std::string> Resolver::letters_of(std::string_view written) {
   std::vector<std::string> lost, glosses;
   for (const char c : fold_letters(written, &lost))
-    glosses.push_back(c >= 'a' && c <= 'z' ? index_.letter(c) : std::string(1, c));
+    glosses.push_back(c >= 'a' && c <= 'z' ? index_.letter(c) : index_.number(std::string_view(&c, 1)));
   return glosses;
 }
 
@@ -75,7 +75,7 @@ Item Resolver::spell(size_t at, size_t count, std::string_view rule) {
   const std::string written = as_read ? words_[at].norm : item.text;
   std::vector<std::string> lost;
   for (const char c : fold_letters(written, &lost))
-    item.glosses.push_back(c >= 'a' && c <= 'z' ? index_.letter(c) : std::string(1, c));
+    item.glosses.push_back(c >= 'a' && c <= 'z' ? index_.letter(c) : index_.number(std::string_view(&c, 1)));
   if (item.glosses.empty()) {
     item.kind = ItemKind::kDropped;
     item.rules = {"drop:no-letter"};
@@ -92,7 +92,8 @@ Item Resolver::spell(size_t at, size_t count, std::string_view rule) {
     item.rules.emplace_back("spell:long");
     warnings_->add(WarningKind::kLongSpelling, item.text, std::to_string(item.glosses.size()));
   }
-  item.confidence = Confidence::kHigh;
+  // That a name is spelled is sure; that an unknown word has no sign is not.
+  item.confidence = rule == "spell:unknown" ? Confidence::kMedium : Confidence::kHigh;
   item.review = ReviewState::kReviewed;
   rate(&item);
   return item;
@@ -114,11 +115,11 @@ std::vector<std::string> Resolver::number_glosses(std::string_view digits) {
   while (!digits.empty()) {
     const size_t end = std::min(digits.find_first_of(".:/"), digits.size());
     const std::string part(digits.substr(0, end));
-    if (!fraction && index_.entry(part) != nullptr && (part.size() == 1 || part.front() != '0'))
-      glosses.push_back(part);
+    if (!fraction && index_.entry(index_.number(part)) != nullptr && (part.size() == 1 || part.front() != '0'))
+      glosses.push_back(index_.number(part));
     else
-      for (const char digit : part)
-        glosses.push_back(std::string(1, digit));
+      for (const char& digit : part)
+        glosses.push_back(index_.number(std::string_view(&digit, 1)));
     if (end == digits.size()) break;
     if (digits[end] == '.') {
       read_symbol("point");

@@ -52,12 +52,16 @@ Result<WordIndex> WordIndex::build(TranslatorData data) {
   index.data_ = std::move(data);
   for (size_t i = 0; i < index.data_.entries.size(); ++i)
     index.entries_.emplace(index.data_.entries[i].gloss, i);
-  for (const std::string& letter : index.data_.letters)
-    if (index.entry(letter) == nullptr)
-      return fail(ErrorCode::kNotFound, "the lexicon has no letter " + letter + "; fingerspelling needs all of A to Z");
-  for (char digit = '0'; digit <= '9'; ++digit)
-    if (index.entry(std::string(1, digit)) == nullptr)
-      return fail(ErrorCode::kNotFound, std::string("the lexicon has no number ") + digit + "; it needs all of 0 to 9");
+  for (char letter = 'a'; letter <= 'z'; ++letter)
+    if (index.entry(index.letter(letter)) == nullptr)
+      return fail(ErrorCode::kNotFound, "the lexicon has no letter " + index.letter(letter) +
+                                            "; fingerspelling needs all of A to Z: build the lexicon again");
+  for (char digit = '0'; digit <= '9'; ++digit) {
+    const std::string number = index.number(std::string_view(&digit, 1));
+    if (index.entry(number) == nullptr)
+      return fail(ErrorCode::kNotFound,
+                  "the lexicon has no number " + number + "; it needs all of 0 to 9: build the lexicon again");
+  }
   index.lemmatiser_ = Lemmatiser(index.data_.irregular_lemmas);
   index.expressions_at_.emplace_back();
   for (size_t i = 0; i < index.data_.keywords.size(); ++i) {
@@ -81,6 +85,10 @@ Result<WordIndex> WordIndex::build(TranslatorData data) {
 const EntryFacts* WordIndex::entry(std::string_view gloss) const {
   const auto found = entries_.find(gloss);
   return found == entries_.end() ? nullptr : &data_.entries[found->second];
+}
+
+std::string WordIndex::letter(char lower_case) const {
+  return data_.letter_prefix + static_cast<char>(lower_case - 'a' + 'A');
 }
 
 int WordIndex::word_id(std::string_view norm) const {

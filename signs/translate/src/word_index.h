@@ -49,7 +49,9 @@ class WordIndex {
   const EntryFacts* entry(std::string_view gloss) const;
   const std::vector<Keyword>& keywords() const { return data_.keywords; }
   const std::vector<Phrase>& phrases() const { return data_.phrases; }
-  const std::string& letter(char lower_case) const { return data_.letters[static_cast<size_t>(lower_case - 'a')]; }
+  /// The entry of a letter (a to z) or of a number (digits).
+  std::string letter(char lower_case) const;
+  std::string number(std::string_view digits) const { return data_.number_prefix + std::string(digits); }
   const Lemmatiser& lemmatiser() const { return lemmatiser_; }
 
   /// Keywords whose English is exactly this one word, best first.

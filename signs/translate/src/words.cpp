@@ -263,7 +263,8 @@ class Reader {
   void read_fraction() {
     const size_t from = at_++;
     std::string norm = fraction_reading(slice(from, at_));
-    add_word(norm.empty() ? WordKind::kOther : WordKind::kNumber, from, at_, std::move(norm));
+    const WordKind word_kind = norm.empty() ? WordKind::kOther : WordKind::kNumber;
+    add_word(word_kind, from, at_, std::move(norm));
   }
 
   /// "1/2" for the character one half, "2" for a superscript two, empty where it is neither.

@@ -11,7 +11,6 @@
 #include "translate/translation.h"
 #include "translate/word_forms.h"
 
-#include <array>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -34,9 +33,8 @@ struct TranslatorData {
   std::vector<Phrase> phrases;  ///< a reviewed phrase wins over an unreviewed one with the same English, then the first
   std::vector<Keyword> keywords;           ///< those that point to unknown or rejected entries are left out
   std::vector<WordForm> irregular_lemmas;  ///< "teeth" -> "tooth"; read_wordnet_exceptions() supplies them
-  /// Glosses of the letters A to Z, for lexicons in which a letter and a sign would share one name (I).
-  std::array<std::string, 26> letters = {"A", "B", "C", "D", "E", "F", "G", "H", "I", "J", "K", "L", "M",
-                                         "N", "O", "P", "Q", "R", "S", "T", "U", "V", "W", "X", "Y", "Z"};
+  std::string letter_prefix = "fs:";       ///< "fs:A" is the entry of the letter A
+  std::string number_prefix = "num:";      ///< "num:7" is the entry of the number 7
 };
 
 class WordIndex;
@@ -47,9 +45,10 @@ class Translator {
   /// The longest text that translate() takes, in bytes.
   static constexpr size_t kMaxBytes = size_t{1} << 20;
 
-  /// Fails with kNotFound where one of the letters or of the digits "0" to "9" has no entry (fingerspelling could not
-  /// be total), and with kMalformed, naming the phrase, where a phrase has no English or no glosses, a slot that is not
-  /// {NAME}, {NUMBER}, {TIME} or {WORD}, a slot in its glosses that its English lacks, or a span outside its glosses.
+  /// Fails with kNotFound where one of the letters A to Z or of the digits 0 to 9 has no entry (fingerspelling could
+  /// not be total), and with kMalformed, naming the phrase, where a phrase has no English or no glosses, a slot that is
+  /// not {NAME}, {NUMBER}, {TIME} or {WORD}, a slot in its glosses that its English lacks, or a span outside its
+  /// glosses.
   static Result<Translator> build(TranslatorData data);
 
   /// `english` is UTF-8. Fails with kMalformed and the byte offset where it is not, with kLimit beyond kMaxBytes, and
