@@ -78,6 +78,11 @@ NonManual read_face(TableReader& reader) {
   return face;
 }
 
+void note_keys(const TableReader& reader, const std::string& entry, Places& places) {
+  places.note(entry, "", reader.problems(), reader.line());
+  reader.each_key([&](const std::string& key, long line) { places.note(entry, key, reader.problems(), line); });
+}
+
 /// "word", "word:pos" or "word:pos:rank".
 void read_keywords(TableReader& reader, const std::string& gloss, Need need, LexiconText& text, Places& places) {
   const std::vector<std::string> words = reader.texts("english", need);
@@ -111,7 +116,7 @@ void read_handshape(TableReader& reader, LexiconText& text, Places& places) {
   Handshape shape;
   shape.id = reader.text("id", Need::kRequired);
   reader.rename("handshape " + shape.id);
-  places.note(reader.what(), "", reader.problems(), reader.line());
+  note_keys(reader, reader.what(), places);
   shape.name = reader.text("name", Need::kRequired);
   shape.base = reader.text("base", Need::kOptional);
   if (shape.base.empty()) shape.base = shape.id;
@@ -120,11 +125,8 @@ void read_handshape(TableReader& reader, LexiconText& text, Places& places) {
   for (size_t i = 0; i < kFingers.size(); ++i) {
     const auto angles = reader.numbers<4>(kFingers[i], Need::kRequired);
     shape.fingers[i] = {angles[0], angles[1], angles[2], angles[3]};
-    if (const toml::node* node = reader.node(kFingers[i]); node != nullptr)
-      places.note(reader.what(), std::string(kFingers[i]), reader.problems(), ProblemList::line_of(*node));
   }
   if (const toml::table* table = reader.table("thumb", Need::kRequired); table != nullptr) {
-    places.note(reader.what(), "thumb", reader.problems(), ProblemList::line_of(*table));
     TableReader thumb(*table, reader.what() + " thumb", reader.problems());
     shape.thumb.radial_abduction = thumb.number("radial", Need::kRequired);
     shape.thumb.palmar_abduction = thumb.number("palmar", Need::kRequired);
@@ -149,7 +151,7 @@ void read_sign(TableReader& reader, std::string_view kind, std::string_view cate
   sign.category = category;
   reader.rename(std::string(kind) + " " + sign.gloss);
   ProblemList& problems = reader.problems();
-  places.note(sign.gloss, "", problems, reader.line());
+  note_keys(reader, sign.gloss, places);
   read_keywords(reader, sign.gloss, kind == "sign" ? Need::kRequired : Need::kOptional, text, places);
   sign.region = reader.text("region", Need::kOptional);
   if (sign.region.empty()) sign.region = "all";
@@ -187,12 +189,10 @@ void read_phrase(TableReader& reader, LexiconText& text, Places& places) {
   Phrase phrase;
   phrase.id = reader.text("id", Need::kRequired);
   reader.rename("phrase " + phrase.id);
-  places.note(reader.what(), "", reader.problems(), reader.line());
+  note_keys(reader, reader.what(), places);
   phrase.domain = reader.text("domain", Need::kRequired);
   phrase.english = reader.text("english", Need::kRequired);
   phrase.glosses = reader.texts("glosses", Need::kRequired);
-  if (const toml::node* node = reader.node("glosses"); node != nullptr)
-    places.note(reader.what(), "glosses", reader.problems(), ProblemList::line_of(*node));
   for (const toml::table* table : reader.tables("spans", Need::kOptional)) {
     const std::string part = "spans[" + std::to_string(phrase.non_manual.size()) + "]";
     places.note(reader.what(), part, reader.problems(), ProblemList::line_of(*table));

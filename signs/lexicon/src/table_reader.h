@@ -73,6 +73,12 @@ class TableReader {
     return from_name<E>(word(key, need, names_of<E>()));
   }
   const toml::node* node(std::string_view key) const { return table_.get(key); }
+  /// Calls `note(key, line)` for every key that is there.
+  template <typename Note>
+  void each_key(Note&& note) const {
+    for (const auto& [key, value] : table_)
+      note(std::string(key.str()), ProblemList::line_of(value));
+  }
   /// Reports every key that was not asked for.
   void finish();
 

@@ -16,7 +16,6 @@ std::optional<Error> find_broken_bound(const TextSource& source) {
   };
   if (text.size() > kMaxSourceBytes)
     return broken(ErrorCode::kLimit, "the file is larger than " + std::to_string(kMaxSourceBytes) + " bytes; split it");
-  if (text.find('\0') != std::string::npos) return broken(ErrorCode::kMalformed, "a zero byte; expected a text file");
   int nesting = 0;
   int dots = 0;
   size_t line_start = 0;
@@ -32,6 +31,7 @@ std::optional<Error> find_broken_bound(const TextSource& source) {
       comment = false;
       continue;
     }
+    if (c == '\0') return broken(ErrorCode::kMalformed, "a zero byte; expected a text file");
     if (i - line_start >= kMaxLineBytes)
       return broken(ErrorCode::kLimit, "a line longer than " + std::to_string(kMaxLineBytes) + " bytes; break it");
     if (comment) continue;

@@ -35,12 +35,12 @@ struct SignSummary {
 
 /// Empty fields do not filter.
 struct ListFilter {
-  std::string kind;  ///< sign, letter, number
-  std::string category;
-  std::string region;
-  std::optional<ReviewState> review;
-  std::string handshape;  ///< used by either hand in any phase
-  std::optional<Location> location;
+  std::string kind = {};  ///< sign, letter, number
+  std::string category = {};
+  std::string region = {};
+  std::optional<ReviewState> review = {};
+  std::string handshape = {};  ///< used by either hand in any phase
+  std::optional<Location> location = {};
 };
 
 /// `rank` 0: gloss or keyword is the text; 1: one begins with it; 2: one contains it; 3: the definition contains it.
