@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Triangles that cross the near plane, the far plane and the guard band, against exact half-spaces.
+#include "clip.h"
 #include "raster_screen.h"
 
 #include <algorithm>
@@ -200,6 +201,48 @@ TEST(Clip, CutTrianglesWithACommonEdgeDrawEveryPixelOnce) {
       }
       ASSERT_EQ(runs, 1) << "seed " << seed << " column " << column;
     }
+  }
+}
+
+// Two triangles name their common edge in opposite directions; the corner at which it is cut has the same bits in both.
+TEST(Clip, ACommonEdgeIsCutAtTheSameBitsInBothTriangles) {
+  Random random(45);
+  const Viewport viewport = make_viewport(64, 64);
+  for (int i = 0; i < 5000; ++i) {
+    ClipVertex v[4];
+    for (ClipVertex& c : v) {
+      c.x = static_cast<double>(random.real(-1.0F, 1.0F));
+      c.y = static_cast<double>(random.real(-1.0F, 1.0F));
+      c.z = 0.1;
+      c.w = static_cast<double>(random.real(0.2F, 2.0F));
+      for (double& level : c.level)
+        level = static_cast<double>(random.real(0.0F, 255.0F));
+    }
+    v[1].w = static_cast<double>(random.real(-1.0F, 0.05F));  // v[1] lies before the near plane, the others beyond it
+    ClipPolygon one;
+    ClipPolygon other;
+    one.count = other.count = 3;
+    one.corner[0] = v[0];
+    one.corner[1] = v[1];
+    one.corner[2] = v[2];
+    other.corner[0] = v[1];
+    other.corner[1] = v[0];
+    other.corner[2] = v[3];
+    clip(one, viewport);
+    clip(other, viewport);
+    ASSERT_EQ(one.count, 4);
+    ASSERT_EQ(other.count, 4);
+    int shared = 0;
+    for (size_t a = 0; a < 4; ++a) {
+      for (size_t b = 0; b < 4; ++b) {
+        const ClipVertex& p = one.corner[a];
+        const ClipVertex& q = other.corner[b];
+        const bool same = p.x == q.x && p.y == q.y && p.z == q.z && p.w == q.w && p.level[0] == q.level[0] &&
+                          p.level[1] == q.level[1] && p.level[2] == q.level[2];
+        shared += same ? 1 : 0;
+      }
+    }
+    ASSERT_EQ(shared, 2) << "the end beyond the plane, and the cut: case " << i;
   }
 }
 
