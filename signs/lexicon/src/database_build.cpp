@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "atomic_file.h"
+#include "kinematics/whole_file.h"
 #include "lexicon/lexicon.h"
 #include "phonology/vocabulary.h"
 #include "schema.h"
 #include "statement.h"
 
-#include <unistd.h>
+#include <memory>
+#include <string_view>
 
 namespace auslan {
 namespace {
@@ -237,24 +238,19 @@ Result<void> build_database(const LexiconText& text, const std::filesystem::path
                     first.part + ": " + first.message,
                 path.string());
   }
-  const std::filesystem::path temporary = temporary_beside(path);
-  ::unlink(temporary.c_str());
-  Result<void> outcome;
-  {
-    Result<Database> db = open_database(temporary, SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
-    if (!db) {
-      ::unlink(temporary.c_str());
-      return fail(ErrorCode::kUnwritable,
-                  "cannot make the database; check the folder, its permissions and the free space", path.string());
-    }
-    outcome = fill(db->get(), text);
+  // Built in memory and written in one piece, so that a file of that name is always a whole one.
+  Result<Database> db = open_database(":memory:", SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE);
+  if (!db) return tl::unexpected(db.error());
+  if (Result<void> filled = fill(db->get(), text); !filled) {
+    filled.error().place = path.string();
+    return filled;
   }
-  if (!outcome) {
-    ::unlink(temporary.c_str());
-    outcome.error().place = path.string();
-    return outcome;
-  }
-  return commit_file(temporary, path);
+  sqlite3_int64 size = 0;
+  const std::unique_ptr<unsigned char, void (*)(void*)> bytes(sqlite3_serialize(db->get(), "main", &size, 0),
+                                                              sqlite3_free);
+  if (!bytes) return fail(ErrorCode::kLimit, "there is not enough memory for the database", path.string());
+  return write_whole_file(path,
+                          std::string_view(reinterpret_cast<const char*>(bytes.get()), static_cast<size_t>(size)));
 }
 
 }  // namespace auslan

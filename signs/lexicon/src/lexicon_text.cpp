@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "lexicon/lexicon_text.h"
 
-#include "atomic_file.h"
+#include "kinematics/whole_file.h"
 #include "lexicon/lexicon_check.h"
 #include "read_entry.h"
 #include "table_reader.h"
@@ -82,12 +82,14 @@ void place_findings(const LexiconText& text, const Places& places, std::span<con
   for (Finding& finding : check_lexicon(text)) {
     Places::Place place;
     if (const auto entry = places.of_entry.find(finding.entry); entry != places.of_entry.end()) {
-      const auto part = entry->second.find(finding.part);
-      const auto whole = entry->second.find("");
-      if (part != entry->second.end())
-        place = part->second;
-      else if (whole != entry->second.end())
-        place = whole->second;
+      // The part itself, or the key it is an element of, or the entry.
+      const std::string key = finding.part.substr(0, finding.part.find('['));
+      for (const std::string& part : {finding.part, key, std::string()}) {
+        if (const auto found = entry->second.find(part); found != entry->second.end()) {
+          place = found->second;
+          break;
+        }
+      }
     }
     ProblemList list(problems, place.file, place.file < sources.size() ? sources[place.file].name : "");
     const std::string part = finding.part.empty() ? "" : " " + finding.part;

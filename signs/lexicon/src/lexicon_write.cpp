@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The canonical text: one fixed order of keys, one line a posture or movement, defaults left out.
-#include "atomic_file.h"
+#include "kinematics/whole_file.h"
 #include "lexicon/face_words.h"
 #include "lexicon/lexicon_text.h"
 #include "phonology/vocabulary.h"
@@ -275,7 +275,7 @@ Result<void> save_lexicon_text(const LexiconText& text, const std::filesystem::p
   if (error)
     return fail(ErrorCode::kUnwritable, "cannot make it (" + error.message() + ")", (folder / "signs").string());
   for (const TextSource& source : write_lexicon_text(text)) {
-    Result<void> written = write_file_atomically(folder / source.name, source.text);
+    Result<void> written = write_whole_file(folder / source.name, source.text);
     if (!written) return written;
   }
   return {};

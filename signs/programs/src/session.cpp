@@ -27,7 +27,7 @@ bool ends_with(const std::string& text, std::string_view suffix) {
   return text.size() >= suffix.size() && std::string_view(text).substr(text.size() - suffix.size()) == suffix;
 }
 
-/// The lexicon's name of an entry as people and the translator write it: digits are numbers.
+/// The lexicon's name of an entry as people write it: digits are numbers.
 std::string entry_name(std::string_view gloss) {
   return is_digits(gloss) ? "num:" + std::string(gloss) : std::string(gloss);
 }
@@ -41,14 +41,9 @@ Result<TranslatorData> translator_data(const Lexicon& lexicon) {
   TranslatorData data;
   const auto entries = lexicon.list();
   if (!entries) return tl::unexpected(entries.error());
-  for (const SignSummary& entry : *entries) {
-    const bool number = entry.gloss.rfind("num:", 0) == 0;
-    data.entries.push_back({number ? entry.gloss.substr(4) : entry.gloss, entry.confidence, entry.review});
-  }
+  for (const SignSummary& entry : *entries) data.entries.push_back({entry.gloss, entry.confidence, entry.review});
   data.phrases = lexicon.phrases();
   data.keywords = lexicon.keywords();
-  for (char letter = 'A'; letter <= 'Z'; ++letter)
-    data.letters[static_cast<size_t>(letter - 'A')] = std::string("fs:") + letter;
   auto forms = read_wordnet_exceptions();
   if (forms) data.irregular_lemmas = std::move(*forms);
   return data;
@@ -150,7 +145,7 @@ Result<Show> Session::show() {
   };
   if (units > kMostUnits) return too_long(std::to_string(units) + " signs and letters");
   const auto utterance = compose(
-      *translation, [this](std::string_view gloss) { return lexicon_->sign(entry_name(gloss)); },
+      *translation, [this](std::string_view gloss) { return lexicon_->sign(gloss); },
       [this](std::string_view id) { return lexicon_->handshape(id); });
   if (!utterance) return tl::unexpected(utterance.error());
   auto score = choreograph(*signer_, *utterance, {options_.speed, 3.0, true});
