@@ -196,9 +196,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "expected low, medium or high"},
         Mistake{"AngleOutOfRange", kShapes, "middle = [0, 0, 0, 0]", "middle = [0, 0, 200, 0]",
                 "an angle is out of range"},
-        Mistake{"UnknownBase", kShapes, "[[handshape]]", "[[handshape]]\nbase = \"round\"", "\"round\" does not exist"},
-        Mistake{"UnknownDigit", kShapes, "[[handshape]]\nid = \"flat\"\nname = \"Flat\"\nselected = \"all\"",
-                "[[handshape]]\nid = \"flat\"\nname = \"Flat\"\nselected = \"toe\"", "expected digits joined by +"},
+        Mistake{"UnknownBase", kShapes, "hamnosys = \"hamflathand\"", "base = \"round\"", "\"round\" does not exist"},
+        Mistake{"UnknownDigit", kShapes, "selected = \"all\"", "selected = \"toe\"", "expected digits joined by +"},
         Mistake{"SpanOutOfRange", kPhrases, "from = 0, to = 1", "from = 0, to = 4", "indexes of glosses"},
         Mistake{"UnknownSpan", kPhrases, "kind = \"wh\"", "kind = \"what\"", "expected topic, yn, wh"},
         Mistake{"UnknownGloss", kPhrases, "glosses = [\"HURT\"", "glosses = [\"HURTS\"", "\"HURTS\" does not exist"},
@@ -225,7 +224,7 @@ TEST(LexiconText, DuplicatesAreToldAtTheSecondOne) {
   sources[3].text += again;
   const LexiconReading reading = parse_lexicon_text(sources);
   const std::string all = all_problems(reading);
-  EXPECT_NE(all.find("signs/health.toml:" + std::to_string(second) + ": HURT gloss: the gloss is used twice"),
+  EXPECT_NE(all.find("signs/health.toml:" + std::to_string(second + 1) + ": HURT gloss: the gloss is used twice"),
             std::string::npos)
       << all;
   EXPECT_NE(all.find("\"hurt\" is choice 0 of HURT already"), std::string::npos) << all;
@@ -317,7 +316,7 @@ TEST(LexiconText, TheFirstProblemOfAFolderSaysHowManyMoreThereAre) {
     testing::write_bytes(folder / source.name, source.text);
   const Result<LexiconText> text = read_lexicon_text(folder.path());
   ASSERT_FALSE(text);
-  EXPECT_EQ(text.error().place, (folder / "signs/health.toml:1").string());
+  EXPECT_EQ(text.error().place, (folder / "signs/health.toml:4").string());
   EXPECT_NE(text.error().message.find("and 1 more"), std::string::npos) << text.error().message;
   EXPECT_EQ(check_lexicon_text(folder.path()).size(), 2u);
 }
