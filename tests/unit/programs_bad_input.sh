@@ -287,7 +287,7 @@ no_space_left() { # FOLDER FILE
   find "$1" -mindepth 1 ! -name before -delete
 }
 case_full_disk() {
-  local disk=$work/disk
+  disk=$work/disk
   mkdir "$disk"
   if ((EUID == 0)) && [[ -z ${BAD_INPUT_NAMESPACE:-} ]] &&
     unshare --mount --propagation private mount -t tmpfs -o size=8k tmpfs "$disk" 2>/dev/null; then
