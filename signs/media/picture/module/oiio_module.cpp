@@ -61,6 +61,8 @@ int decode(const uint8_t* bytes, size_t size, const char* format, int subimage, 
   const auto input = OIIO::ImageInput::create(format, false, nullptr, &reader);
   if (!input) return failed(error, error_size, OIIO::geterror());
   OIIO::ImageSpec spec;
+  // create() only chooses the format with the reader's help: it has to be handed over again to be read from.
+  if (!input->set_ioproxy(&reader)) return failed(error, error_size, "this format is not read from memory");
   if (!input->open(name, spec)) return failed(error, error_size, input->geterror(), AUSLAN_OIIO_MALFORMED);
   if (subimage > 0 && !input->seek_subimage(subimage, 0))
     return failed(error, error_size, "there is no such frame", AUSLAN_OIIO_MALFORMED);
