@@ -12,8 +12,11 @@ namespace {
 
 int usage() {
   std::fputs(
-      "usage: auslan-lexicon-build SOURCES -o OUT\n  SOURCES  the folder with handshapes.toml\n  OUT      the "
-      "database\n",
+      "usage: auslan-lexicon-build SOURCES -o OUT\n"
+      "       auslan-lexicon-build SOURCES --format\n"
+      "  SOURCES   the folder with handshapes.toml\n"
+      "  -o OUT    the database to make\n"
+      "  --format  write the text again in its canonical form\n",
       stderr);
   return 2;
 }
