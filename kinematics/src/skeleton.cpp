@@ -15,7 +15,8 @@ Result<Skeleton> Skeleton::build(std::vector<Node> nodes) {
     if (!std::isfinite(node.offset.x) || !std::isfinite(node.offset.y) || !std::isfinite(node.offset.z))
       return fail(ErrorCode::kMalformed, "the node's position is not a finite number", place);
     if (i == 0 ? node.parent != kNoNode : (node.parent < 0 || static_cast<size_t>(node.parent) >= i))
-      return fail(ErrorCode::kMalformed, "a parent must stand before its children, and only the first node is a root", place);
+      return fail(ErrorCode::kMalformed, "a parent must stand before its children, and only the first node is a root",
+                  place);
     for (size_t j = 0; j < i; ++j)
       if (nodes[j].name == node.name) return fail(ErrorCode::kMalformed, "two nodes have this name", place);
     skeleton.rest_.push_back(node.parent == kNoNode ? node.offset

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// A pose: one quaternion per node and a weight per face channel; and the one forward loop that turns it into placements.
+// A pose: one quaternion per node and a weight per face channel; and the one forward loop that turns it into
+// placements.
 #pragma once
+
+#include "kinematics/skeleton.h"
+#include "kinematics/vector.h"
 
 #include <array>
 #include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
-
-#include "kinematics/skeleton.h"
-#include "kinematics/vector.h"
 
 namespace auslan {
 
@@ -46,19 +47,19 @@ inline constexpr int kFaceChannelCount = 26;
 
 /// The ARKit spelling ("browInnerUp"), in enum order.
 inline constexpr std::array<std::string_view, kFaceChannelCount> kFaceChannelNames = {
-    "browInnerUp",      "browOuterUpLeft",   "browOuterUpRight",   "browDownLeft",     "browDownRight",
-    "eyeBlinkLeft",     "eyeBlinkRight",     "eyeWideLeft",        "eyeWideRight",     "jawOpen",
-    "mouthPucker",      "mouthFunnel",       "mouthSmileLeft",     "mouthSmileRight",  "mouthFrownLeft",
-    "mouthFrownRight",  "mouthStretchLeft",  "mouthStretchRight",  "mouthPressLeft",   "mouthPressRight",
-    "mouthLowerDownLeft", "mouthLowerDownRight", "mouthUpperUpLeft", "mouthUpperUpRight", "cheekPuff",
+    "browInnerUp",        "browOuterUpLeft",     "browOuterUpRight",  "browDownLeft",      "browDownRight",
+    "eyeBlinkLeft",       "eyeBlinkRight",       "eyeWideLeft",       "eyeWideRight",      "jawOpen",
+    "mouthPucker",        "mouthFunnel",         "mouthSmileLeft",    "mouthSmileRight",   "mouthFrownLeft",
+    "mouthFrownRight",    "mouthStretchLeft",    "mouthStretchRight", "mouthPressLeft",    "mouthPressRight",
+    "mouthLowerDownLeft", "mouthLowerDownRight", "mouthUpperUpLeft",  "mouthUpperUpRight", "cheekPuff",
     "tongueOut"};
 
 using FaceWeights = std::array<float, kFaceChannelCount>;
 
 struct Pose {
-  std::vector<Quat> rotation;      ///< parent_from_node for each node of the skeleton, unit
-  Vec3 root_translation{0.0};      ///< added to the root's rest offset, metres
-  FaceWeights face{};              ///< by FaceChannel
+  std::vector<Quat> rotation;  ///< parent_from_node for each node of the skeleton, unit
+  Vec3 root_translation{0.0};  ///< added to the root's rest offset, metres
+  FaceWeights face{};          ///< by FaceChannel
 };
 
 /// The rest pose of a skeleton: every rotation the identity.

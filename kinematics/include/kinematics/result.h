@@ -18,8 +18,8 @@ enum class ErrorCode {
   kUnsupported,  ///< well formed, but something this program cannot do
 };
 
-/// A failure at a boundary. `message` is one sentence for a person, naming what to do next; `place` is file:line, a byte
-/// offset or empty.
+/// A failure at a boundary. `message` is one sentence for a person, naming what to do next; `place` is file:line, a
+/// byte offset or empty.
 struct Error {
   ErrorCode code = ErrorCode::kMalformed;
   std::string message;

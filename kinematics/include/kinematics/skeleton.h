@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The kinematic tree: an immutable depth-first array in which every parent stands before its children.
 //
-// Rest pose: a T-pose (arms along +-X, palms down, fingers straight) in which every node's frame is parallel to the world
-// frame. A joint rotation is therefore always "how far from rest, in world axes at rest", for any figure that was loaded.
+// Rest pose: a T-pose (arms along +-X, palms down, fingers straight) in which every node's frame is parallel to the
+// world frame. A joint rotation is therefore always "how far from rest, in world axes at rest", for any figure that was
+// loaded.
 #pragma once
+
+#include "kinematics/result.h"
+#include "kinematics/vector.h"
 
 #include <array>
 #include <span>
@@ -11,28 +15,24 @@
 #include <string_view>
 #include <vector>
 
-#include "kinematics/result.h"
-#include "kinematics/vector.h"
-
 namespace auslan {
 
 inline constexpr int kNoNode = -1;
 
 /// The 39 nodes that every figure has, depth-first (design contract). A figure may hold more.
-inline constexpr std::array<std::string_view, 39> kNodeNames = {
-    "spine_base",  "neck_base",   "head_base",                                 //
-    "shoulder_l",  "elbow_l",     "wrist_l",                                   //
-    "thumb_cmc_l", "thumb_mp_l",  "thumb_ip_l",                                //
-    "index_mp_l",  "index_pip_l", "index_dip_l",                               //
-    "middle_mp_l", "middle_pip_l", "middle_dip_l",                             //
-    "ring_mp_l",   "ring_pip_l",  "ring_dip_l",                                //
-    "little_mp_l", "little_pip_l", "little_dip_l",                             //
-    "shoulder_r",  "elbow_r",     "wrist_r",                                   //
-    "thumb_cmc_r", "thumb_mp_r",  "thumb_ip_r",                                //
-    "index_mp_r",  "index_pip_r", "index_dip_r",                               //
-    "middle_mp_r", "middle_pip_r", "middle_dip_r",                             //
-    "ring_mp_r",   "ring_pip_r",  "ring_dip_r",                                //
-    "little_mp_r", "little_pip_r", "little_dip_r"};
+inline constexpr std::array<std::string_view, 39> kNodeNames = {"spine_base",  "neck_base",    "head_base",     //
+                                                                "shoulder_l",  "elbow_l",      "wrist_l",       //
+                                                                "thumb_cmc_l", "thumb_mp_l",   "thumb_ip_l",    //
+                                                                "index_mp_l",  "index_pip_l",  "index_dip_l",   //
+                                                                "middle_mp_l", "middle_pip_l", "middle_dip_l",  //
+                                                                "ring_mp_l",   "ring_pip_l",   "ring_dip_l",    //
+                                                                "little_mp_l", "little_pip_l", "little_dip_l",  //
+                                                                "shoulder_r",  "elbow_r",      "wrist_r",       //
+                                                                "thumb_cmc_r", "thumb_mp_r",   "thumb_ip_r",    //
+                                                                "index_mp_r",  "index_pip_r",  "index_dip_r",   //
+                                                                "middle_mp_r", "middle_pip_r", "middle_dip_r",  //
+                                                                "ring_mp_r",   "ring_pip_r",   "ring_dip_r",    //
+                                                                "little_mp_r", "little_pip_r", "little_dip_r"};
 
 struct Node {
   std::string name;
@@ -43,8 +43,8 @@ struct Node {
 /// Nodes, parents first. Built once, then const.
 class Skeleton {
  public:
-  /// Refuses (kMalformed) an empty list, a parent that does not stand before its child, a second root, a duplicate name,
-  /// a non-finite offset, and a list that lacks one of kNodeNames.
+  /// Refuses (kMalformed) an empty list, a parent that does not stand before its child, a second root, a duplicate
+  /// name, a non-finite offset, and a list that lacks one of kNodeNames.
   static Result<Skeleton> build(std::vector<Node> nodes);
 
   std::span<const Node> nodes() const { return nodes_; }

@@ -20,8 +20,8 @@ constexpr std::array<Words, 9> kHead = {
 constexpr std::array<Words, 3> kShoulders = {"hunched", "shrug", "drop"};
 constexpr std::array<Words, 2> kGaze = {"addressee", "down-to-hand"};
 constexpr std::array<Words, 2> kFace = {"pained", "dislike"};
-constexpr std::array<Words, kFaceChannels> kChannels = {"brows", "eyes",      "mouth", "cheeks",
-                                                        "head",  "shoulders", "gaze",  "face"};
+constexpr std::array<Words, kFaceTiers> kChannels = {"brows", "eyes",      "mouth", "cheeks",
+                                                     "head",  "shoulders", "gaze",  "face"};
 constexpr std::array<Words, 8> kKinds = {"topic", "yn", "wh", "neg", "cond", "aff", "cmd", "polite"};
 constexpr std::array<Words, 2> kEndings = {"hold last sign", "pause/blink"};
 constexpr std::array<Words, 13> kPartsOfSpeech = {"noun", "verb",  "adj",    "adv",  "pron", "wh", "num",
@@ -29,33 +29,33 @@ constexpr std::array<Words, 13> kPartsOfSpeech = {"noun", "verb",  "adj",    "ad
 
 }  // namespace
 
-std::span<const std::string_view> face_words(FaceChannel channel) {
+std::span<const std::string_view> face_words(FaceTier channel) {
   switch (channel) {
-    case FaceChannel::kBrows:
+    case FaceTier::kBrows:
       return kBrows;
-    case FaceChannel::kEyes:
+    case FaceTier::kEyes:
       return kEyes;
-    case FaceChannel::kMouth:
+    case FaceTier::kMouth:
       return kMouth;
-    case FaceChannel::kCheeks:
+    case FaceTier::kCheeks:
       return kCheeks;
-    case FaceChannel::kHead:
+    case FaceTier::kHead:
       return kHead;
-    case FaceChannel::kShoulders:
+    case FaceTier::kShoulders:
       return kShoulders;
-    case FaceChannel::kGaze:
+    case FaceTier::kGaze:
       return kGaze;
-    case FaceChannel::kFace:
+    case FaceTier::kFace:
       return kFace;
   }
   return {};
 }
 
-std::string_view channel_name(FaceChannel channel) {
+std::string_view channel_name(FaceTier channel) {
   return kChannels[static_cast<size_t>(channel)];
 }
 
-bool is_face_word(FaceChannel channel, std::string_view word) {
+bool is_face_word(FaceTier channel, std::string_view word) {
   return word.empty() || std::ranges::find(face_words(channel), word) != face_words(channel).end();
 }
 

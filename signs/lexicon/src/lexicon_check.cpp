@@ -109,10 +109,10 @@ void check_provenance(const Provenance& provenance, Findings& findings) {
 }
 
 void check_face(const NonManual& face, Findings& findings) {
-  const std::array<const std::string*, kFaceChannels> words = {&face.brows, &face.eyes,      &face.mouth, &face.cheeks,
-                                                               &face.head,  &face.shoulders, &face.gaze,  &face.face};
+  const std::array<const std::string*, kFaceTiers> words = {&face.brows, &face.eyes,      &face.mouth, &face.cheeks,
+                                                            &face.head,  &face.shoulders, &face.gaze,  &face.face};
   for (size_t i = 0; i < words.size(); ++i) {
-    const auto channel = static_cast<FaceChannel>(i);
+    const auto channel = static_cast<FaceTier>(i);
     if (!is_face_word(channel, *words[i]))
       findings.add("face",
                    std::string(channel_name(channel)) + " is \"" + *words[i] + "\", which is not in the vocabulary");
@@ -295,7 +295,7 @@ std::vector<Finding> check_phrase(const Phrase& phrase) {
     if (span.from < 0 || span.to < span.from || span.to >= static_cast<int>(phrase.glosses.size()))
       findings.add(part, "from and to are out of range; expected indexes of glosses, both ends included");
     findings.require(span.ending.empty() || contains(span_endings(), span.ending), part, "unknown ending of a span");
-    using enum FaceChannel;
+    using enum FaceTier;
     findings.require(is_face_word(kBrows, span.brows) && is_face_word(kHead, span.head) &&
                          is_face_word(kGaze, span.gaze) && is_face_word(kMouth, span.mouth) &&
                          is_face_word(kEyes, span.eyes),

@@ -62,10 +62,10 @@ Movement read_move(TableReader& reader, Handedness handedness) {
 
 NonManual read_face(TableReader& reader) {
   NonManual face;
-  const auto channel = [&reader](FaceChannel which) {
+  const auto channel = [&reader](FaceTier which) {
     return reader.word(channel_name(which), Need::kOptional, face_words(which));
   };
-  using enum FaceChannel;
+  using enum FaceTier;
   face.brows = channel(kBrows);
   face.eyes = channel(kEyes);
   face.mouth = channel(kMouth);
@@ -201,7 +201,7 @@ void read_phrase(TableReader& reader, LexiconText& text, Places& places) {
     span.kind = inner.word("kind", Need::kRequired, span_kinds());
     span.from = inner.integer("from", 0, 0, 99);
     span.to = inner.integer("to", span.from, 0, 99);
-    using enum FaceChannel;
+    using enum FaceTier;
     span.brows = inner.word("brows", Need::kOptional, face_words(kBrows));
     span.head = inner.word("head", Need::kOptional, face_words(kHead));
     span.gaze = inner.word("gaze", Need::kOptional, face_words(kGaze));

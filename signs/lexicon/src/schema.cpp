@@ -33,7 +33,7 @@ std::string optional_vocabulary(std::string_view column) {
   return "TEXT " + check_in(column, names_of<E>());
 }
 
-std::string face(FaceChannel channel) {
+std::string face(FaceTier channel) {
   return "TEXT NOT NULL " + check_in(channel_name(channel), face_words(channel), true);
 }
 
@@ -50,7 +50,7 @@ std::string provenance() {
 }  // namespace
 
 std::vector<TableSchema> lexicon_tables() {
-  using enum FaceChannel;
+  using enum FaceTier;
   std::vector<TableSchema> tables;
   tables.push_back({"handshape",
                     "CREATE TABLE handshape (\n"

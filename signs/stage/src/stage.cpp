@@ -37,19 +37,19 @@ raster::Camera camera_for(const Figure& figure, CameraName name, float aspect) {
   double cot = 3.2;  // half the vertical field of view has a tangent of 1/3.2: a portrait lens
   switch (name) {
     case CameraName::kFront:
-      target = chest + Vec3(0, 0.06 * trunk, 0);
+      target = chest + Vec3(0, 0.14 * trunk, 0);
       eye = target + Vec3(0, 0.10 * trunk, 2.85 * trunk / 0.60);
-      cot = 4.55;
+      cot = 5.6;
       break;
     case CameraName::kThreeQuarter:
-      target = chest + Vec3(0, 0.06 * trunk, 0.1);
+      target = chest + Vec3(0, 0.12 * trunk, 0.1);
       eye = target + Vec3(-1.75, 0.15, 2.2) * (trunk / 0.60);
-      cot = 4.55;
+      cot = 5.2;
       break;
     case CameraName::kSide:
-      target = chest + Vec3(0, 0.06 * trunk, 0.18);
+      target = chest + Vec3(0, 0.12 * trunk, 0.18);
       eye = target + Vec3(-2.85, 0.06, 0) * (trunk / 0.60);
-      cot = 4.55;
+      cot = 5.2;
       break;
     case CameraName::kSigner:
       eye = head + Vec3(0, 0.13, 0.10);

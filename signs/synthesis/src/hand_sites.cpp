@@ -152,13 +152,14 @@ Site HandSites::site(HandPart part, const HandAngles& angles) const {
     }
     case HandPart::kWrist:
       return {palm * palm_depth_ * 0.9, palm};
-    case HandPart::kFistThumbSide: {
-      const Site a = on_digit(posed, kIndex, 0.6, radial);
-      return {a.position, radial};
-    }
+    case HandPart::kFistThumbSide:
     case HandPart::kFistUlnar: {
-      const Site a = on_digit(posed, kLittle, 0.3, -radial);
-      return {a.position, -radial};
+      // The middle of the fist's end: before the knuckle, half way between the back and the folded fingers.
+      const bool thumb_side = part == HandPart::kFistThumbSide;
+      const size_t digit = thumb_side ? kIndex : kLittle;
+      const Vec3 out = thumb_side ? radial : -radial;
+      const Vec3 end = 0.64 * posed.joint[digit][0].position + palm * (0.8 * palm_depth_);
+      return {end + out * radius_[digit][0], out};
     }
     case HandPart::kThumbWeb:
       return {0.5 * (posed.joint[kThumb][1].position + posed.joint[kIndex][0].position), unit(radial + frame_.fingers)};
@@ -168,6 +169,8 @@ Site HandSites::site(HandPart part, const HandAngles& angles) const {
       return on_digit(posed, kIndex, 1.0, radial);
     case HandPart::kThumbSide:
       return on_digit(posed, kThumb, 1.5, radial);
+    case HandPart::kIndexPad:
+      return on_digit(posed, kIndex, 1.4, posed.joint[kIndex][1].rotation * palm);
   }
   return {centre + palm * palm_depth_, palm};
 }

@@ -20,10 +20,6 @@ constexpr double kPalmReach = 0.045;
 // A hand that is `near` a place keeps this distance, metres.
 constexpr double kNearDistance = 0.015;
 
-Vec3 for_side(const Vec3& right_handed, Side side) {
-  return side == Side::kRight ? right_handed : Vec3(-right_handed.x, right_handed.y, right_handed.z);
-}
-
 Transform parent_of_shoulder(const Skeleton& skeleton, Side side) {
   const ArmNodes nodes = arm_nodes(skeleton, side);
   return {kIdentity, skeleton.rest_position(skeleton.node(nodes.shoulder).parent)};
@@ -136,10 +132,10 @@ PlacedHand Signer::place(const Posture& posture, const Handshape& handshape, Sid
   PlacedHand placed;
   HandState& state = placed.state;
   state.angles = hand_angles(handshape);
-  const Vec3 fingers = for_side(to_vector(posture.fingers), side);
-  const Vec3 palm = for_side(to_vector(posture.palm), side);
+  const Vec3 fingers = to_vector(posture.fingers);
+  const Vec3 palm = to_vector(posture.palm);
   state.wrist.rotation = orient_hand(hand_frame(side), fingers, palm);
-  const Vec3 offset = for_side(posture.offset, side);
+  const Vec3 offset = posture.offset;
   const bool contact = posture.contact.has_value();
   const ContactKind kind = contact ? posture.contact->kind : ContactKind::kNear;
   placed.touching = contact && kind != ContactKind::kNear;
@@ -163,7 +159,8 @@ PlacedHand Signer::place(const Posture& posture, const Handshape& handshape, Sid
     site.position.x = on_arm ? site.position.x : 0.0;
     site.normal = Vec3(side == Side::kRight ? -1.0 : 1.0, 0, 0);
   } else if (on_other && counterpart.state != nullptr) {
-    const Vec3 comes_from = side == Side::kRight ? Vec3(-0.7, 0.1, 0.7) : Vec3(0.7, 0.1, 0.7);
+    // It is touched on the side that the touching part faces.
+    const Vec3 comes_from = -(state.wrist.rotation * local.normal);
     site = other_site(location, part, other(side), *counterpart.state, comes_from);
     if (!placed.touching) {
       site.position += offset;
@@ -187,15 +184,19 @@ PlacedHand Signer::place(const Posture& posture, const Handshape& handshape, Sid
 HandState Signer::rest(Side side) const {
   HandState state;
   const double s = side == Side::kRight ? -1.0 : 1.0;
-  const Vec3& shoulder = body_.shoulder(side);
-  state.wrist.rotation = orient_hand(hand_frame(side), Vec3(s * 0.05, -1.0, 0.12), Vec3(-s, 0.0, -0.25));
-  state.wrist.position = Vec3(shoulder.x + s * 0.07, body_.waist_height() - 0.02, shoulder.z + 0.05);
+  // Straight down from the shoulder and a little out, the elbow just bent.
+  const Skeleton& skeleton = figure_->skeleton;
+  const ArmNodes nodes = arm_nodes(skeleton, side);
+  const Vec3 upper = skeleton.node(nodes.elbow).offset, fore = skeleton.node(nodes.wrist).offset;
+  const double reach = 0.975 * (std::sqrt(glm::dot(upper, upper)) + std::sqrt(glm::dot(fore, fore)));
+  state.wrist.rotation = orient_hand(hand_frame(side), Vec3(s * 0.06, -1.0, 0.16), Vec3(-s, 0.0, -0.25));
+  state.wrist.position = body_.shoulder(side) + unit(Vec3(s * 0.17, -1.0, 0.12)) * reach;
   Handshape relaxed;
   relaxed.fingers = {FingerAngles{20, 25, 15, 3}, FingerAngles{24, 28, 17, 0}, FingerAngles{27, 31, 18, 2},
                      FingerAngles{30, 34, 20, 4}};
   relaxed.thumb = {20, 20, 0.3, 12, 12};
   state.angles = hand_angles(relaxed);
-  state.swivel = natural_swivel(figure_->skeleton, side, parent_of_shoulder(figure_->skeleton, side), state.wrist);
+  state.swivel = 0.35;
   return state;
 }
 

@@ -8,16 +8,16 @@
 
 namespace auslan {
 
-enum class FaceChannel { kBrows, kEyes, kMouth, kCheeks, kHead, kShoulders, kGaze, kFace };
+enum class FaceTier { kBrows, kEyes, kMouth, kCheeks, kHead, kShoulders, kGaze, kFace };
 
 /// The words of a channel, in a fixed order.
-std::span<const std::string_view> face_words(FaceChannel channel);
+std::span<const std::string_view> face_words(FaceTier channel);
 /// The channel's key in text and database: "brows", "eyes" …
-std::string_view channel_name(FaceChannel channel);
-inline constexpr int kFaceChannels = 8;
+std::string_view channel_name(FaceTier channel);
+inline constexpr int kFaceTiers = 8;
 
 /// True for a word of the channel and for the empty word.
-bool is_face_word(FaceChannel channel, std::string_view word);
+bool is_face_word(FaceTier channel, std::string_view word);
 
 /// Kinds of NonManualSpan: topic, yn, wh, neg, cond, aff, cmd, polite.
 std::span<const std::string_view> span_kinds();

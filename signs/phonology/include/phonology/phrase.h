@@ -2,18 +2,18 @@
 // Phrases, keywords and spans of non-manual features: the sentence-level half of the lexicon.
 #pragma once
 
+#include "phonology/sign.h"
+
 #include <string>
 #include <vector>
-
-#include "phonology/sign.h"
 
 namespace auslan {
 
 /// Non-manual features over consecutive items of a signed sentence, both ends included.
 struct NonManualSpan {
-  std::string kind;  ///< topic, yn, wh, neg, cond, aff, cmd, polite
-  int from = 0;      ///< index of the first item
-  int to = 0;        ///< index of the last item
+  std::string kind;                            ///< topic, yn, wh, neg, cond, aff, cmd, polite
+  int from = 0;                                ///< index of the first item
+  int to = 0;                                  ///< index of the last item
   std::string brows, head, gaze, mouth, eyes;  ///< the words of NonManual; empty = not marked
   std::string ending;                          ///< "hold last sign", "pause/blink" or empty
 };
@@ -34,7 +34,7 @@ struct Keyword {
   std::string word;            ///< lower case, lemma form; may hold single spaces ("blood pressure")
   std::string part_of_speech;  ///< noun verb adj adv pron wh num neg modal interj prep conj det, or empty (any)
   std::string gloss;
-  int rank = 0;                ///< 0 is the first choice among entries that share the word
+  int rank = 0;  ///< 0 is the first choice among entries that share the word
 };
 
 }  // namespace auslan

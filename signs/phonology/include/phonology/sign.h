@@ -2,9 +2,11 @@
 // The phonological model of a sign: what the lexicon stores and the synthesis performs. A right-handed signer is
 // described; a left-handed one is the exact mirror image.
 //
-// The parameters are the field's (handshape, extended finger direction, palm orientation, location with contact, movement,
-// two-handed relation, non-manual features, mouthing), after Stokoe and HamNoSys.
+// The parameters are the field's (handshape, extended finger direction, palm orientation, location with contact,
+// movement, two-handed relation, non-manual features, mouthing), after Stokoe and HamNoSys.
 #pragma once
+
+#include "kinematics/vector.h"
 
 #include <array>
 #include <optional>
@@ -12,12 +14,11 @@
 #include <string_view>
 #include <vector>
 
-#include "kinematics/vector.h"
-
 namespace auslan {
 
 // ---------------------------------------------------------------------------------------------------------------------
-// Vocabulary. Every enumeration has a table of names in the same order (vocabulary.h), used by text, database and output.
+// Vocabulary. Every enumeration has a table of names in the same order (vocabulary.h), used by text, database and
+// output.
 
 /// One of 26 directions as seen by the signer; each component is -1, 0 or +1.
 struct Direction {
@@ -32,35 +33,132 @@ struct Direction {
 /// non-articulating hand.
 enum class Location {
   // head
-  kTopHead, kForehead, kTemple, kSideHead, kEye, kCheekbone, kNose, kFace, kCheek, kEar, kMouth, kChin, kNeck,
+  kTopHead,
+  kForehead,
+  kTemple,
+  kSideHead,
+  kEye,
+  kCheekbone,
+  kNose,
+  kFace,
+  kCheek,
+  kEar,
+  kMouth,
+  kChin,
+  kNeck,
   // trunk and arm
-  kShoulder, kContraShoulder, kChest, kContraChest, kStomach, kWaist, kThigh, kUpperArm, kElbow,
+  kShoulder,
+  kContraShoulder,
+  kChest,
+  kContraChest,
+  kStomach,
+  kWaist,
+  kThigh,
+  kUpperArm,
+  kElbow,
   // signing space
-  kHighNeutral, kNeutral, kLowNeutral, kIpsiSpace, kContraSpace,
+  kHighNeutral,
+  kNeutral,
+  kLowNeutral,
+  kIpsiSpace,
+  kContraSpace,
   // the other hand ("nd")
-  kOtherPalm, kOtherBack, kOtherWristBack, kOtherWristInner, kOtherForearmBack, kOtherForearmInner, kOtherFingertips,
-  kOtherThumb, kOtherIndex, kOtherMiddle, kOtherRing, kOtherLittle, kOtherUlnar, kOtherRadial, kOtherFistTop, kOtherElbow,
+  kOtherPalm,
+  kOtherBack,
+  kOtherWristBack,
+  kOtherWristInner,
+  kOtherForearmBack,
+  kOtherForearmInner,
+  kOtherFingertips,
+  kOtherThumb,
+  kOtherIndex,
+  kOtherMiddle,
+  kOtherRing,
+  kOtherLittle,
+  kOtherUlnar,
+  kOtherRadial,
+  kOtherFistTop,
+  kOtherElbow,
   kHands,  ///< the two hands meet, wherever the non-dominant one is
 };
 
 /// The part of the articulating hand that touches, or that is placed at the location.
 enum class HandPart {
-  kPalm, kBack, kRadial, kUlnar, kFingertips, kIndexTip, kMiddleTip, kRingTip, kLittleTip, kThumbTip, kThumbIndexTips,
-  kIndexMiddleTips, kIndexSide, kIndexMiddle, kFingers, kIndexKnuckle, kKnuckles, kWrist, kFistThumbSide, kFistUlnar,
-  kThumbWeb, kIndexBase, kIndexMidJoint, kThumbSide,
+  kPalm,
+  kBack,
+  kRadial,
+  kUlnar,
+  kFingertips,
+  kIndexTip,
+  kMiddleTip,
+  kRingTip,
+  kLittleTip,
+  kThumbTip,
+  kThumbIndexTips,
+  kIndexMiddleTips,
+  kIndexSide,
+  kIndexMiddle,
+  kFingers,
+  kIndexKnuckle,
+  kKnuckles,
+  kWrist,
+  kFistThumbSide,
+  kFistUlnar,
+  kThumbWeb,
+  kIndexBase,
+  kIndexMidJoint,
+  kThumbSide,
+  kIndexPad,  ///< the palmar side of the index between its joints
 };
 
 enum class ContactKind { kTouch, kHold, kBrush, kNear };
 
 enum class MoveKind {
-  kHold, kStraight, kArc, kCircle, kSpiral, kZigzag, kWavy, kTap, kBrush, kRub, kTwist, kNod, kShake, kSway, kBounce,
-  kOpen, kClose, kFlick, kSqueeze, kWiggle, kBend, kAlternate, kCross, kSeparate, kApproach, kStrike,
+  kHold,
+  kStraight,
+  kArc,
+  kCircle,
+  kSpiral,
+  kZigzag,
+  kWavy,
+  kTap,
+  kBrush,
+  kRub,
+  kTwist,
+  kNod,
+  kShake,
+  kSway,
+  kBounce,
+  kOpen,
+  kClose,
+  kFlick,
+  kSqueeze,
+  kWiggle,
+  kBend,
+  kAlternate,
+  kCross,
+  kSeparate,
+  kApproach,
+  kStrike,
 };
 
 enum class Size { kTiny, kSmall, kMedium, kLarge };
 enum class Manner { kPlain, kSlow, kFast, kSharp };
-enum class Plane { kNone, kHorizontal, kVertical, kFrontal, kSagittal, kSupinate, kPronate, kSideToSide, kUpDown, kToFro,
-                   kFingers, kClockwise, kAnticlockwise };
+enum class Plane {
+  kNone,
+  kHorizontal,
+  kVertical,
+  kFrontal,
+  kSagittal,
+  kSupinate,
+  kPronate,
+  kSideToSide,
+  kUpDown,
+  kToFro,
+  kFingers,
+  kClockwise,
+  kAnticlockwise
+};
 /// Which hands a movement moves.
 enum class MovingHands { kDominant, kNonDominant, kBoth, kAlternating };
 
@@ -80,17 +178,18 @@ enum class ReviewState { kUnreviewed, kReviewed, kRejected };
 
 struct Contact {
   ContactKind kind = ContactKind::kTouch;
-  std::optional<HandPart> part;   ///< of the articulating hand; none = the fingertips its handshape points with, or its palm
-  std::optional<Location> target; ///< where it lands when that is finer than the posture's location
+  std::optional<HandPart>
+      part;  ///< of the articulating hand; none = the fingertips its handshape points with, or its palm
+  std::optional<Location> target;  ///< where it lands when that is finer than the posture's location
 };
 
 /// One posture of one hand.
 struct Posture {
-  std::string handshape;                       ///< id of a Handshape
-  Direction fingers{0, 1, 0};                  ///< extended finger direction: along the metacarpals, whatever the fingers do
-  Direction palm{0, 0, 1};                     ///< where the palm faces
+  std::string handshape;       ///< id of a Handshape
+  Direction fingers{0, 1, 0};  ///< extended finger direction: along the metacarpals, whatever the fingers do
+  Direction palm{0, 0, 1};     ///< where the palm faces
   Location location = Location::kNeutral;
-  Vec3 offset{0.0};                            ///< metres, world axes (+X the signer's left), from the location to the hand
+  Vec3 offset{0.0};  ///< metres, world axes (+X the signer's left), from the location to the hand
   std::optional<Contact> contact;
 };
 
@@ -107,7 +206,8 @@ struct Movement {
   int to = 0;
 };
 
-/// Non-manual features in the lexicon's words ("raise", "furrow", "shake", "puff" …), empty where the sign asks nothing.
+/// Non-manual features in the lexicon's words ("raise", "furrow", "shake", "puff" …), empty where the sign asks
+/// nothing.
 struct NonManual {
   std::string brows, eyes, mouth, cheeks, head, shoulders, gaze, face;
   std::string mouthing;  ///< English word mouthed with the sign
@@ -120,13 +220,13 @@ struct Provenance {
   std::string movement_evidence;     ///< what the movement rests on: measured, documented, iconic, cognate, memory
   Confidence confidence = Confidence::kLow;
   ReviewState review = ReviewState::kUnreviewed;
-  std::string reviewed_by;           ///< empty unless reviewed or rejected
-  std::string reviewed_on;           ///< ISO date, empty unless reviewed or rejected
+  std::string reviewed_by;  ///< empty unless reviewed or rejected
+  std::string reviewed_on;  ///< ISO date, empty unless reviewed or rejected
 };
 
 struct Sign {
-  std::string gloss;       ///< upper case, the entry's id
-  std::string kind;        ///< "sign", "letter" or "number"
+  std::string gloss;  ///< upper case, the entry's id
+  std::string kind;   ///< "sign", "letter" or "number"
   std::string category;
   std::string region;      ///< "all", "north", "south" or a state
   std::string definition;  ///< in our own words
@@ -156,9 +256,9 @@ struct Handshape {
   std::string base;                     ///< id of the base shape it is a variant of, or its own id
   std::array<FingerAngles, 4> fingers;  ///< index, middle, ring, little
   ThumbAngles thumb;
-  std::string selected;                 ///< the selected digits, as "index+middle"
-  std::string hamnosys;                 ///< approximate symbol names, comma-separated, or empty
-  std::string description;              ///< in our own words
+  std::string selected;     ///< the selected digits, as "index+middle"
+  std::string hamnosys;     ///< approximate symbol names, comma-separated, or empty
+  std::string description;  ///< in our own words
   std::vector<std::string> aliases;
   Provenance provenance;
 };

@@ -2,12 +2,12 @@
 // The closed vocabulary of the sign notation: the spelling of every enumeration, both ways.
 #pragma once
 
+#include "phonology/sign.h"
+
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-
-#include "phonology/sign.h"
 
 namespace auslan {
 
@@ -15,17 +15,28 @@ namespace auslan {
 template <typename E>
 std::span<const std::string_view> names_of();
 
-template <> std::span<const std::string_view> names_of<Location>();
-template <> std::span<const std::string_view> names_of<HandPart>();
-template <> std::span<const std::string_view> names_of<ContactKind>();
-template <> std::span<const std::string_view> names_of<MoveKind>();
-template <> std::span<const std::string_view> names_of<Size>();
-template <> std::span<const std::string_view> names_of<Manner>();
-template <> std::span<const std::string_view> names_of<Plane>();
-template <> std::span<const std::string_view> names_of<MovingHands>();
-template <> std::span<const std::string_view> names_of<Handedness>();
-template <> std::span<const std::string_view> names_of<Confidence>();
-template <> std::span<const std::string_view> names_of<ReviewState>();
+template <>
+std::span<const std::string_view> names_of<Location>();
+template <>
+std::span<const std::string_view> names_of<HandPart>();
+template <>
+std::span<const std::string_view> names_of<ContactKind>();
+template <>
+std::span<const std::string_view> names_of<MoveKind>();
+template <>
+std::span<const std::string_view> names_of<Size>();
+template <>
+std::span<const std::string_view> names_of<Manner>();
+template <>
+std::span<const std::string_view> names_of<Plane>();
+template <>
+std::span<const std::string_view> names_of<MovingHands>();
+template <>
+std::span<const std::string_view> names_of<Handedness>();
+template <>
+std::span<const std::string_view> names_of<Confidence>();
+template <>
+std::span<const std::string_view> names_of<ReviewState>();
 
 template <typename E>
 std::string_view to_name(E value) {

@@ -27,7 +27,7 @@ class BodySites {
   /// none.
   static Result<BodySites> build(const Figure& figure);
 
-  /// The place for a hand of `side`, displaced by `offset` (metres, world axes, already mirrored for a left hand). In
+  /// The place for a hand of `side`, displaced by `offset` (metres, world axes). In
   /// signing space the offset is free, and one without any depth gets the usual distance from the chest. On the body,
   /// `on_surface` casts the displaced point back onto the skin along the place's own direction; otherwise the offset is
   /// added to the point on the skin. Locations on the arms and the other hand are not the body's: for them, the chest.

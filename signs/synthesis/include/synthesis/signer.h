@@ -48,8 +48,8 @@ class Signer {
   const HandSites& hand(Side side) const { return hands_[static_cast<size_t>(side)]; }
   const HandFrame& hand_frame(Side side) const { return frames_[static_cast<size_t>(side)]; }
 
-  /// Solves a posture for a hand of `side`. Directions and offsets of the posture are a right hand's; a left hand gets
-  /// their mirror image. Total: a place that cannot be reached is approached as far as the arm allows.
+  /// Solves a posture for a hand of `side`. Directions and offsets are the signer's own for either hand; only locations
+  /// such as `contra_chest` depend on the side. Total: a place that cannot be reached is approached as far as the arm allows.
   PlacedHand place(const Posture& posture, const Handshape& handshape, Side side, const OtherHand& counterpart) const;
 
   /// The arm that puts the wrist where `state` says, trunk at rest.

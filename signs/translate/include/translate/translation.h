@@ -2,11 +2,11 @@
 // What the translator hands on: items in signing order, each with the English it came from and the rules that made it.
 #pragma once
 
+#include "phonology/phrase.h"
+
 #include <cstddef>
 #include <string>
 #include <vector>
-
-#include "phonology/phrase.h"
 
 namespace auslan {
 
@@ -15,20 +15,22 @@ enum class ItemKind {
   kSpelled,  ///< fingerspelled, because no sign is known or because names are spelled
   kNumber,   ///< signed from number entries
   kPause,    ///< a clause or sentence boundary
-  kDropped,  ///< deliberately not signed (articles, copula, auxiliary do …); kept here, so that nothing vanishes silently
+  kDropped,  ///< deliberately not signed (articles, copula, auxiliary do …); kept here, so that nothing vanishes
+             ///< silently
 };
 
 struct Item {
   ItemKind kind = ItemKind::kSign;
-  std::vector<std::string> glosses;  ///< entry ids to perform: one for a sign, one a letter or digit for spelled and number
-  std::string text;                  ///< the English words this item stands for, as written; empty for what a rule added
-  size_t begin = 0, end = 0;         ///< byte span of `text` in the input
-  std::vector<std::string> rules;    ///< ids of the rules that made it, in order
+  std::vector<std::string>
+      glosses;                ///< entry ids to perform: one for a sign, one a letter or digit for spelled and number
+  std::string text;           ///< the English words this item stands for, as written; empty for what a rule added
+  size_t begin = 0, end = 0;  ///< byte span of `text` in the input
+  std::vector<std::string> rules;         ///< ids of the rules that made it, in order
   std::vector<std::string> alternatives;  ///< other entries the word could have been
-  bool ambiguous = false;            ///< more than one sense remained
+  bool ambiguous = false;                 ///< more than one sense remained
   Confidence confidence = Confidence::kLow;
   ReviewState review = ReviewState::kUnreviewed;
-  double pause_seconds = 0;          ///< for kPause
+  double pause_seconds = 0;  ///< for kPause
 };
 
 struct Translation {
