@@ -51,7 +51,7 @@ std::span<const std::string_view> face_words(FaceTier channel) {
   return {};
 }
 
-std::string_view channel_name(FaceTier channel) {
+std::string_view tier_name(FaceTier channel) {
   return kChannels[static_cast<size_t>(channel)];
 }
 

@@ -115,7 +115,7 @@ void check_face(const NonManual& face, Findings& findings) {
     const auto channel = static_cast<FaceTier>(i);
     if (!is_face_word(channel, *words[i]))
       findings.add("face",
-                   std::string(channel_name(channel)) + " is \"" + *words[i] + "\", which is not in the vocabulary");
+                   std::string(tier_name(channel)) + " is \"" + *words[i] + "\", which is not in the vocabulary");
   }
 }
 

@@ -171,7 +171,7 @@ void write_sign(std::string& out, const Sign& sign, const std::vector<std::strin
   const std::array<const std::string*, kFaceTiers> words = {&nm.brows, &nm.eyes,      &nm.mouth, &nm.cheeks,
                                                             &nm.head,  &nm.shoulders, &nm.gaze,  &nm.face};
   for (size_t i = 0; i < words.size(); ++i)
-    face.add_text(channel_name(static_cast<FaceTier>(i)), *words[i]);
+    face.add_text(tier_name(static_cast<FaceTier>(i)), *words[i]);
   if (!face.empty()) line(out, "face", face.str());
   text_line(out, "mouthing", nm.mouthing);
   write_provenance(out, sign.provenance);

@@ -63,7 +63,7 @@ Movement read_move(TableReader& reader, Handedness handedness) {
 NonManual read_face(TableReader& reader) {
   NonManual face;
   const auto channel = [&reader](FaceTier which) {
-    return reader.word(channel_name(which), Need::kOptional, face_words(which));
+    return reader.word(tier_name(which), Need::kOptional, face_words(which));
   };
   using enum FaceTier;
   face.brows = channel(kBrows);

@@ -34,7 +34,7 @@ std::string optional_vocabulary(std::string_view column) {
 }
 
 std::string face(FaceTier channel) {
-  return "TEXT NOT NULL " + check_in(channel_name(channel), face_words(channel), true);
+  return "TEXT NOT NULL " + check_in(tier_name(channel), face_words(channel), true);
 }
 
 std::string provenance() {

@@ -13,7 +13,7 @@ enum class FaceTier { kBrows, kEyes, kMouth, kCheeks, kHead, kShoulders, kGaze, 
 /// The words of a channel, in a fixed order.
 std::span<const std::string_view> face_words(FaceTier channel);
 /// The channel's key in text and database: "brows", "eyes" …
-std::string_view channel_name(FaceTier channel);
+std::string_view tier_name(FaceTier channel);
 inline constexpr int kFaceTiers = 8;
 
 /// True for a word of the channel and for the empty word.

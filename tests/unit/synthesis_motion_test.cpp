@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: Apache-2.0
+// The motion of the shipped signs on the shipped figure, against the project's quality limits.
+#include "kinematics/figure_file.h"
+#include "kinematics/rotation.h"
+#include "lexicon/lexicon.h"
+#include "synthesis/choreography.h"
+#include "synthesis/performance.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace auslan {
+namespace {
+
+constexpr int kRate = 120;  // the rate at which the limits are measured
+
+/// Figure, signer and lexicon as the build ships them, opened once.
+struct Shipped {
+  Figure figure;
+  std::optional<Signer> signer;
+  std::optional<Lexicon> lexicon;
+};
+
+Shipped& shipped() {
+  static Shipped* loaded = [] {
+    auto* made = new Shipped;
+    const std::string folder = std::string(AUSLANJAM_BINARY_DIR) + "/share/auslanjam/";
+    made->figure = read_figure(folder + "signer.figure").value();
+    made->signer.emplace(Signer::build(made->figure).value());
+    made->lexicon.emplace(Lexicon::open(folder + "lexicon.sqlite").value());
+    return made;
+  }();
+  return *loaded;
+}
+
+Utterance utterance_of(const std::vector<std::string>& glosses) {
+  Shipped& s = shipped();
+  return compose(
+             translation_of_glosses(glosses), [&s](std::string_view gloss) { return s.lexicon->sign(gloss); },
+             [&s](std::string_view id) { return s.lexicon->handshape(id); })
+      .value();
+}
+
+Score score_of(const std::vector<std::string>& glosses) {
+  return choreograph(*shipped().signer, utterance_of(glosses)).value();
+}
+
+PerformanceOptions still() {
+  PerformanceOptions options;
+  options.idle = false;
+  return options;
+}
+
+double length(const Vec3& v) {
+  return std::sqrt(glm::dot(v, v));
+}
+
+std::vector<std::string> all_glosses() {
+  std::vector<std::string> glosses;
+  for (const SignSummary& entry : shipped().lexicon->list().value())
+    glosses.push_back(entry.gloss);
+  return glosses;
+}
+
+TEST(Motion, EveryShippedEntryCanBePerformed) {
+  for (const std::string& gloss : all_glosses()) {
+    const auto score = choreograph(*shipped().signer, utterance_of({gloss}));
+    ASSERT_TRUE(score) << gloss << ": " << to_string(score.error());
+    for (const auto& track : score->hands) {
+      ASSERT_FALSE(track.empty()) << gloss;
+      EXPECT_EQ(track.front().begin, 0) << gloss;
+      EXPECT_EQ(track.back().end, score->end) << gloss;
+      for (size_t i = 1; i < track.size(); ++i)
+        ASSERT_EQ(track[i].begin, track[i - 1].end) << gloss;
+    }
+  }
+}
+
+TEST(Motion, HandsMoveWithoutJumpsAndNeverFasterThanFourMetresASecond) {
+  Shipped& s = shipped();
+  std::vector<Transform> world(static_cast<size_t>(s.figure.skeleton.size()));
+  const std::array<int, 2> wrists = {s.figure.skeleton.find("wrist_l"), s.figure.skeleton.find("wrist_r")};
+  for (const std::string& gloss : all_glosses()) {
+    const Performance performance(*s.signer, score_of({gloss}), still());
+    Pose pose;
+    std::array<Vec3, 2> before{};
+    double fastest = 0;
+    for (Tick t = 0; t <= performance.end(); t += kTicksPerSecond / kRate) {
+      performance.sample(t, pose);
+      forward(s.figure.skeleton, pose, world);
+      for (size_t side = 0; side < 2; ++side) {
+        const Vec3 now = world[static_cast<size_t>(wrists[side])].position;
+        ASSERT_TRUE(std::isfinite(now.x + now.y + now.z)) << gloss;
+        if (t > 0) fastest = std::max(fastest, length(now - before[side]) * kRate);
+        before[side] = now;
+      }
+      for (const Quat& q : pose.rotation)
+        ASSERT_NEAR(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z, 1.0, 1e-9) << gloss;
+    }
+    EXPECT_LE(fastest, 4.0) << gloss;
+  }
+}
+
+TEST(Motion, TargetsAreHeldLongEnoughToBeRead) {
+  for (const std::string& gloss : all_glosses()) {
+    const Score score = score_of({gloss});
+    const auto& track = score.hands[static_cast<size_t>(Side::kRight)];
+    Tick longest = 0;
+    for (const HandSegment& segment : track) {
+      const bool still_hand = length(segment.from.wrist.position - segment.to.wrist.position) < 1e-9 &&
+                              segment.oscillation.cycles <= 0 && segment.turns <= 0;
+      if (still_hand && segment.begin >= score.glosses.front().begin && segment.end <= score.glosses.front().end)
+        longest = std::max(longest, segment.end - segment.begin);
+    }
+    EXPECT_GE(seconds(longest), 0.080) << gloss;
+  }
+}
+
+TEST(Motion, PointToPointStrokesPeakAtMinimumJerkSpeed) {
+  // Flash & Hogan: peak over mean speed of a minimum-jerk movement is 1.875.
+  const Score score = score_of({"HELLO"});
+  int strokes = 0;
+  for (const HandSegment& segment : score.hands[static_cast<size_t>(Side::kRight)]) {
+    const double distance = length(segment.to.wrist.position - segment.from.wrist.position);
+    if (distance < 0.05 || length(segment.bulge) > 0.001) continue;
+    ++strokes;
+    double peak = 0;
+    const int steps = 400;
+    Vec3 before = segment.from.wrist.position;
+    for (int i = 1; i <= steps; ++i) {
+      const Vec3 now = state_at(segment, segment.begin + (segment.end - segment.begin) * i / steps).wrist.position;
+      peak = std::max(peak, length(now - before) * steps);
+      before = now;
+    }
+    EXPECT_GT(peak / distance, 1.7);
+    EXPECT_LT(peak / distance, 2.1);
+  }
+  // Arcs and raised transitions bow; the plain stroke of a sign that moves straight must be among those measured.
+  const Score straight = score_of({"YOU"});
+  for (const HandSegment& segment : straight.hands[static_cast<size_t>(Side::kRight)])
+    if (length(segment.to.wrist.position - segment.from.wrist.position) > 0.02 && length(segment.bulge) < 0.001)
+      ++strokes;
+  EXPECT_GT(strokes, 0);
+}
+
+TEST(Motion, ASignIsTheSameAloneFirstAndLast) {
+  const auto during = [](const Score& score, size_t which) {
+    std::vector<HandState> states;
+    const GlossSpan& span = score.glosses[which];
+    for (const HandSegment& segment : score.hands[static_cast<size_t>(Side::kRight)])
+      if (segment.begin >= span.begin && segment.end <= span.end) states.push_back(segment.to);
+    return states;
+  };
+  for (const char* gloss : {"HELLO", "NAME", "MY", "HURT", "WHERE", "HELP", "DOCTOR"}) {
+    const auto alone = during(score_of({gloss}), 0);
+    const auto first = during(score_of({gloss, "THANK-YOU"}), 0);
+    const auto last = during(score_of({"THANK-YOU", gloss}), 1);
+    ASSERT_FALSE(alone.empty()) << gloss;
+    ASSERT_GE(first.size(), alone.size()) << gloss;
+    ASSERT_GE(last.size(), alone.size()) << gloss;
+    for (size_t i = 0; i < alone.size(); ++i) {
+      EXPECT_LT(length(alone[i].wrist.position - first[i].wrist.position), 1e-12) << gloss;
+      EXPECT_LT(length(alone[i].wrist.position - last[i].wrist.position), 1e-12) << gloss;
+      EXPECT_LT(angle_between(alone[i].wrist.rotation, last[i].wrist.rotation), 1e-9) << gloss;
+    }
+  }
+}
+
+TEST(Motion, NothingReturnsToRestInsideASentence) {
+  Shipped& s = shipped();
+  const Score score = score_of({"HELLO", "MY", "NAME", "fs:K", "fs:I", "fs:M"});
+  const double rest = s.signer->rest(Side::kRight).wrist.position.y;
+  for (const HandSegment& segment : score.hands[static_cast<size_t>(Side::kRight)])
+    if (segment.begin >= score.glosses.front().begin && segment.end <= score.glosses.back().end)
+      EXPECT_GT(segment.to.wrist.position.y, rest + 0.15);
+}
+
+TEST(Motion, SpelledLettersKeepThePaceAndTheirHold) {
+  Translation t;
+  t.english = "kim";
+  Item word;
+  word.kind = ItemKind::kSpelled;
+  word.glosses = {"fs:K", "fs:I", "fs:M"};
+  word.text = "kim";
+  word.end = 3;
+  t.items = {word};
+  Shipped& s = shipped();
+  const auto utterance = compose(
+      t, [&s](std::string_view gloss) { return s.lexicon->sign(gloss); },
+      [&s](std::string_view id) { return s.lexicon->handshape(id); });
+  ASSERT_TRUE(utterance);
+  const Score score = choreograph(*s.signer, *utterance).value();
+  ASSERT_EQ(score.glosses.size(), 3U);
+  for (size_t i = 0; i < 3; ++i)
+    EXPECT_GE(seconds(score.glosses[i].end - score.glosses[i].begin), 0.120);
+  // Three letters a second by default.
+  const double pace = seconds(score.glosses[2].begin - score.glosses[0].begin) / 2;
+  EXPECT_GT(pace, 0.25);
+  EXPECT_LT(pace, 0.40);
+}
+
+TEST(Motion, TheLeftHandedSignerIsTheExactMirrorImage) {
+  Shipped& s = shipped();
+  PerformanceOptions left = still();
+  left.left_handed = true;
+  const Score score = score_of({"HELLO", "DOCTOR", "HURT"});
+  const Performance right_handed(*s.signer, score, still()), left_handed(*s.signer, score, left);
+  const Skeleton& skeleton = s.figure.skeleton;
+  std::vector<Transform> a(static_cast<size_t>(skeleton.size())), b(a.size());
+  Pose pose;
+  for (Tick t = 0; t <= score.end; t += ticks(0.1)) {
+    right_handed.sample(t, pose);
+    forward(skeleton, pose, a);
+    left_handed.sample(t, pose);
+    forward(skeleton, pose, b);
+    for (int i = 0; i < skeleton.size(); ++i) {
+      std::string name = skeleton.node(i).name;
+      if (name.ends_with("_l")) {
+        name.back() = 'r';
+      } else if (name.ends_with("_r")) {
+        name.back() = 'l';
+      }
+      const Vec3 image = b[static_cast<size_t>(skeleton.find(name))].position;
+      const Vec3 original = a[static_cast<size_t>(i)].position;
+      EXPECT_NEAR(original.x, -image.x, 1e-12) << skeleton.node(i).name;
+      EXPECT_NEAR(original.y, image.y, 1e-12) << skeleton.node(i).name;
+      EXPECT_NEAR(original.z, image.z, 1e-12) << skeleton.node(i).name;
+    }
+  }
+}
+
+TEST(Motion, QuestionsShowOnTheBrowsWhileTheirSpanLasts) {
+  Shipped& s = shipped();
+  Utterance utterance = utterance_of({"HURT", "WHERE"});
+  NonManualSpan wh;
+  wh.kind = "wh";
+  wh.from = wh.to = 1;
+  wh.brows = "furrow";
+  utterance.non_manual = {wh};
+  const Score score = choreograph(*s.signer, utterance).value();
+  const Performance performance(*s.signer, score, still());
+  const auto brow = [&performance](Tick t) {
+    Pose pose;
+    performance.sample(t, pose);
+    return pose.face[static_cast<size_t>(FaceChannel::kBrowDownLeft)];
+  };
+  const GlossSpan& where = score.glosses[1];
+  EXPECT_GT(brow((where.begin + where.end) / 2), 0.9F);
+  EXPECT_LT(brow(0), 0.01F);
+  EXPECT_LT(brow(score.end), 0.01F);
+}
+
+TEST(Motion, SpeedScalesTheSigning) {
+  const Utterance utterance = utterance_of({"HELLO", "MY", "NAME"});
+  ChoreographyOptions slow;
+  slow.speed = 0.5;
+  const Score normal = choreograph(*shipped().signer, utterance).value();
+  const Score half = choreograph(*shipped().signer, utterance, slow).value();
+  EXPECT_NEAR(static_cast<double>(half.end) / static_cast<double>(normal.end), 2.0, 0.01);
+  slow.speed = 0;
+  EXPECT_FALSE(choreograph(*shipped().signer, utterance, slow));
+}
+
+/// Signs that touch head or trunk: the part of the hand that touches is on the skin when the contact is made.
+TEST(Motion, ContactOnTheBodyIsMadeWithinThreeMillimetres) {
+  Shipped& s = shipped();
+  int touched = 0;
+  for (const std::string& gloss : all_glosses()) {
+    const Sign sign = **s.lexicon->sign(gloss);
+    const Posture& posture = sign.dominant.front();
+    if (sign.dominant.size() != 1 || !posture.contact || posture.contact->kind != ContactKind::kTouch ||
+        posture.contact->target || !posture.contact->part || posture.location >= Location::kUpperArm)
+      continue;
+    const Handshape shape = **s.lexicon->handshape(posture.handshape);
+    const PlacedHand placed = s.signer->place(posture, shape, Side::kRight, {});
+    const ArmPlacement arm = s.signer->place_arm(Side::kRight, placed.state);
+    const Site local = s.signer->hand(Side::kRight).site(*posture.contact->part, placed.state.angles);
+    const Vec3 reached = apply(arm.wrist, local.position);
+    const Site skin = s.signer->body().site(posture.location, Side::kRight, posture.offset, true);
+    EXPECT_LT(length(reached - skin.position), 0.003) << gloss;
+    ++touched;
+  }
+  EXPECT_GT(touched, 10);
+}
+
+}  // namespace
+}  // namespace auslan
