@@ -12,6 +12,9 @@ namespace auslan {
 
 namespace {
 
+constexpr int kAttempts = 5;
+constexpr Uint32 kBetweenAttemptsMs = 100;
+
 bool is_set(const char* name) {
   const char* value = std::getenv(name);
   return value != nullptr && *value != '\0';
@@ -42,7 +45,10 @@ class Video {
   }
 
   Video(Video&& other) noexcept : held_(std::exchange(other.held_, false)) {}
-  Video& operator=(Video&&) = delete;
+  Video& operator=(Video&& other) noexcept {
+    std::swap(held_, other.held_);
+    return *this;
+  }
   ~Video() {
     if (held_) SDL_QuitSubSystem(SDL_INIT_VIDEO);
   }
@@ -112,6 +118,12 @@ Result<Window> Window::open(const std::string& title, int width, int height) {
   if (width < 1 || height < 1 || width > 16384 || height > 16384)
     return fail(ErrorCode::kUsage, "a window must measure from 1x1 to 16384x16384 pixels");
   auto video = Video::start();
+  // A bare X server starts afresh when its last client leaves, as display_available() may just have done, and turns
+  // clients away for a moment.
+  for (int attempt = 0; attempt < kAttempts && !video && is_set("DISPLAY"); ++attempt) {
+    SDL_Delay(kBetweenAttemptsMs);
+    video = Video::start();
+  }
   if (!video) return tl::unexpected(video.error());
   auto state = std::make_unique<State>(std::move(*video));
   state->window = SDL_CreateWindow(title.c_str(), SDL_WINDOWPOS_CENTERED, SDL_WINDOWPOS_CENTERED, width, height,
