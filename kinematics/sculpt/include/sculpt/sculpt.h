@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// From a table of measurements to a figure: 39 joints and a closed, coloured mesh for each.
+#pragma once
+
+#include "kinematics/figure.h"
+#include "sculpt/measurements.h"
+
+namespace auslan {
+
+/// The joints alone, T-pose, metres: arms along +-X, palms down, fingers straight, thumbs forward and out.
+Result<Skeleton> sculpt_skeleton(const Measurements& table);
+
+/// The whole figure. Every segment's mesh is one or more closed manifold parts wound outwards; the right side is the
+/// exact mirror image of the left; the face channels are morphs of head_base's mesh. The same table gives the same
+/// bytes on every machine: only + - * / and sqrt are used. Fails only as Skeleton::build does.
+Result<Figure> sculpt_figure(const Measurements& table);
+
+}  // namespace auslan

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// The fifteen phalanges of the left hand, with their nails. X runs along the fingers, Y out of the back of the hand, Z
+// to the thumb.
+#include "kinematics/elementary.h"
+#include "layout.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace auslan::sculpt {
+
+namespace {
+
+const DigitMeasurements& measures_of(const Measurements& table, int digit) {
+  return table.digits[static_cast<size_t>(digit)];
+}
+
+/// Half the breadth of a digit at a joint; beyond the last joint, at the tip.
+double half_breadth(const DigitMeasurements& m, int joint) {
+  return joint < 3 ? 0.5 * m.breadths[static_cast<size_t>(joint)] : 0.43 * m.breadths[2];
+}
+
+}  // namespace
+
+Colour hand_colour(const Measurements& table, double facing) {
+  const Colour skin = colour_of(table.skin);
+  const Colour palm = skin * Vec3(1.045, 1.03, 1.02);
+  return mix(palm, skin, smooth_step(-0.6, 0.4, facing));
+}
+
+Mesh sculpt_phalanx(const Measurements& table, int digit, int bone) {
+  const DigitMeasurements& m = measures_of(table, digit);
+  const DigitLine line = digit_line(table, digit);
+  const bool thumb = digit == 0;
+  const bool last = bone == 2;
+  const Vec3 along = line.direction;
+  const Vec3 back = line.back;
+  const Vec3 side = glm::cross(along, back);
+  const double bone_length = m.bones[static_cast<size_t>(bone)] + (last ? m.tip : 0.0);
+  const double near = half_breadth(m, bone);
+  const double far = half_breadth(m, bone + 1);
+  // A cap that lies inside its parent's must be the smaller of the two, or both surfaces flicker through each other.
+  const double root = bone == 0 ? (thumb ? 0.94 : 0.9) * near : 0.965 * near;
+  const double waist = (bone == 0 && thumb) ? mix(near, far, 0.62) : mix(near, far, 0.5) * (last ? 1.0 : 0.945);
+  const Vec3 middle = along * (bone_length * 0.48);
+  // The end ball's outermost point is the fingertip; other bones end in a ball round the next joint.
+  const Vec3 end = along * (last ? bone_length - far : bone_length);
+
+  const Field field = [=](const Vec3& p) {
+    // Fingers are broader than thick: thickness is stretched before the distance is taken.
+    const double height = glm::dot(p, back);
+    const Vec3 q = p + back * (height * 0.10);
+    double d = join(round_cone(q, Vec3(0.0), root, middle, waist), round_cone(q, middle, waist, end, far), 5.0);
+    // The pad under the bone, fuller on the last one.
+    const Vec3 pad_centre = along * (bone_length * (last ? 0.50 : 0.46)) - back * (waist * (last ? 0.26 : 0.22));
+    const double pad_radius = waist * (last ? 0.90 : 0.88);
+    const Vec3 pad_offset = q - pad_centre;
+    const double lengthwise = glm::dot(pad_offset, along);
+    const Vec3 across = pad_offset - along * lengthwise;
+    const double stretched = length(across + along * (lengthwise * pad_radius / (bone_length * 0.52)));
+    d = join(d, stretched - pad_radius, 3.0);
+    if (last) {
+      // The back of the fingertip is flattened under the nail.
+      d = carve(d, -(height - 0.80 * far - 0.10 * (bone_length - glm::dot(p, along))), 3.0);
+    }
+    return d;
+  };
+
+  Tube tube;
+  tube.start = Vec3(0.0);
+  tube.end = end;
+  tube.up = back;
+  tube.reach = 40.0;
+  tube.columns = thumb ? 16 : 14;
+  tube.rows = last ? tube_rows(2, {0.0, 0.17, 0.36, 0.55, 0.74, 0.9, 1.0}, 3)
+                   : tube_rows(2, {0.0, 0.14, 0.3, 0.5, 0.7, 0.86, 1.0}, 2);
+  Grid grid = cast_tube(field, tube, Part::kSkin);
+
+  const Colour flush = colour_of(table.skin) * Vec3(0.985, 0.90, 0.885);
+  paint(grid, [&](const Vec3& p) {
+    const double t = glm::dot(p, along);
+    const Vec3 radial = normalised(p - along * t);
+    const double facing = glm::dot(radial, back);
+    Colour c = hand_colour(table, facing);
+    if (!thumb) {
+      // Between the fingers less light arrives: a darker tint there separates them.
+      const double sideways = glm::dot(radial, side);
+      c = c *
+          mix(1.0, 0.86,
+              smooth_step(0.55, 0.95, sideways < 0.0 ? -sideways : sideways) * (1.0 - smooth_step(0.6, 1.0, t / 40.0)));
+    }
+    // Knuckles are redder on the back, and folded on the palm's side.
+    const double joint_near = bone > 0 ? 1.0 - smooth_step(0.0, 5.0, t < 0.0 ? -t : t) : 0.0;
+    c = mix(c, flush, 0.55 * joint_near * smooth_step(0.1, 0.7, facing));
+    c = c * mix(1.0, 0.87, joint_near * smooth_step(0.0, 0.6, -facing));
+    if (last) c = mix(c, flush, 0.6 * smooth_step(0.5, 1.0, t / bone_length));
+    return c;
+  });
+  Shape shape;
+  append(shape, grid);
+
+  if (last) {
+    // The nail: a thin curved plate on the back of the tip, its root sunk in the skin.
+    const double half_width = far * 0.74;
+    const double from = bone_length * (thumb ? 0.42 : 0.44);
+    const double to = bone_length * 0.985;
+    const double outline[5][2] = {{0.0, 0.55}, {0.14, 0.92}, {0.5, 1.0}, {0.82, 0.96}, {1.0, 0.62}};
+    Grid nail(5, 10, false, Part::kNail);
+    const Colour plate = colour_of(table.skin) * Vec3(1.03, 0.95, 0.95) + Vec3(8.0, 10.0, 10.0);
+    for (int row = 0; row < 5; ++row) {
+      const double x = mix(from, to, outline[row][0]);
+      const double width = half_width * outline[row][1];
+      for (int column = 0; column < 10; ++column) {
+        const Angle turn = angle_deg(36.0 * column);
+        const double across = turn.sine * width;
+        const Vec3 foot = along * x + side * across;
+        const Vec3 skin = cast(field, foot, back, 30.0);
+        const bool sunk = row == 0;
+        const double lift = turn.cosine > -0.1 ? (sunk ? -0.5 : 0.55) : -1.6;
+        nail.at(row, column).point = skin + back * lift;
+        nail.at(row, column).colour = row == 4 ? mix(plate, Colour(250.0, 240.0, 232.0), 0.55) : plate;
+      }
+    }
+    const auto pole = [&](double x) {
+      Vertex v;
+      v.point = cast(field, along * x, back, 30.0) - back * 0.6;
+      v.colour = plate;
+      return v;
+    };
+    nail.first_pole = pole(from - 0.5);
+    nail.last_pole = pole(to + 0.15);
+    append(shape, nail);
+  }
+  return finish(shape);
+}
+
+}  // namespace auslan::sculpt

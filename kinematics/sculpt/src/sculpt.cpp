@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sculpt/sculpt.h"
+
+#include "layout.h"
+
+#include <glm/geometric.hpp>
+#include <utility>
+
+namespace auslan {
+
+namespace sculpt {
+
+TrunkJoints trunk_joints(const Measurements& table) {
+  TrunkJoints joints;
+  joints.spine_base = {0.0, table.hip_height, 0.0};
+  joints.neck_base = {0.0, table.neck_base_height, 0.0 - table.neck_base_depth};
+  joints.head_base = {0.0, table.stature - table.eye_to_vertex - kEyeLevel, 0.0};
+  joints.shoulder = {0.5 * table.shoulder_joint_breadth, table.acromial_height - table.acromion_to_shoulder_joint,
+                     0.0 - 0.5 * table.neck_base_depth};
+  joints.elbow = joints.shoulder + Vec3(table.upper_arm - table.acromion_to_shoulder_joint, 0.0, 0.0);
+  joints.wrist = joints.elbow + Vec3(table.forearm, 0.0, 0.0);
+  return joints;
+}
+
+DigitLine digit_line(const Measurements& table, int digit) {
+  const DigitMeasurements& measures = table.digits[static_cast<size_t>(digit)];
+  DigitLine line;
+  line.direction = {1.0, 0.0, 0.0};
+  line.back = {0.0, 1.0, 0.0};
+  if (digit == 0) {
+    const Angle out = angle_deg(table.thumb_angle_deg);
+    const Angle drop = angle_deg(table.thumb_drop_deg);
+    line.direction = {out.cosine * drop.cosine, -drop.sine, out.sine * drop.cosine};
+    // The nail faces half up, half away from the index (HandAngles counts the thumb's flexion from there).
+    const Vec3 away = normalised(Vec3(-out.sine, 0.0, out.cosine));
+    const Vec3 up = glm::cross(away, line.direction);
+    line.back = normalised(away + up);
+  }
+  line.joints[0] = measures.root;
+  line.joints[1] = line.joints[0] + line.direction * measures.bones[0];
+  line.joints[2] = line.joints[1] + line.direction * measures.bones[1];
+  line.tip = line.joints[2] + line.direction * (measures.bones[2] + measures.tip);
+  return line;
+}
+
+namespace {
+
+constexpr std::array<std::array<std::string_view, 3>, 5> kDigitNodes = {{{"thumb_cmc", "thumb_mp", "thumb_ip"},
+                                                                         {"index_mp", "index_pip", "index_dip"},
+                                                                         {"middle_mp", "middle_pip", "middle_dip"},
+                                                                         {"ring_mp", "ring_pip", "ring_dip"},
+                                                                         {"little_mp", "little_pip", "little_dip"}}};
+
+}  // namespace
+}  // namespace sculpt
+
+Result<Skeleton> sculpt_skeleton(const Measurements& table) {
+  using sculpt::kDigitNodes;
+  const sculpt::TrunkJoints trunk = sculpt::trunk_joints(table);
+  std::vector<Node> nodes;
+  const auto add = [&nodes](std::string name, int parent, const Vec3& offset_mm) {
+    nodes.push_back({std::move(name), parent, offset_mm * 0.001});
+    return static_cast<int>(nodes.size()) - 1;
+  };
+  const int spine = add("spine_base", kNoNode, trunk.spine_base);
+  const int neck = add("neck_base", spine, trunk.neck_base - trunk.spine_base);
+  add("head_base", neck, trunk.head_base - trunk.neck_base);
+  for (const bool left : {true, false}) {
+    const std::string suffix = left ? "_l" : "_r";
+    const auto on_side = [left](const Vec3& v) { return left ? v : Vec3(0.0 - v.x, v.y, v.z); };
+    const int shoulder = add("shoulder" + suffix, spine, on_side(trunk.shoulder - trunk.spine_base));
+    const int elbow = add("elbow" + suffix, shoulder, on_side(trunk.elbow - trunk.shoulder));
+    const int wrist = add("wrist" + suffix, elbow, on_side(trunk.wrist - trunk.elbow));
+    for (int digit = 0; digit < 5; ++digit) {
+      const sculpt::DigitLine line = sculpt::digit_line(table, digit);
+      int parent = wrist;
+      Vec3 origin(0.0);
+      for (size_t bone = 0; bone < 3; ++bone) {
+        const std::string_view name = kDigitNodes[static_cast<size_t>(digit)][bone];
+        parent = add(std::string(name) + suffix, parent, on_side(line.joints[bone] - origin));
+        origin = line.joints[bone];
+      }
+    }
+  }
+  return Skeleton::build(std::move(nodes));
+}
+
+Result<Figure> sculpt_figure(const Measurements& table) {
+  Result<Skeleton> skeleton = sculpt_skeleton(table);
+  if (!skeleton) return tl::unexpected<Error>(skeleton.error());
+  Figure figure;
+  figure.name = table.name;
+  figure.skeleton = std::move(*skeleton);
+  figure.segments.resize(static_cast<size_t>(figure.skeleton.size()));
+  const auto place = [&figure](const std::string& name, Mesh mesh) {
+    figure.segments[static_cast<size_t>(figure.skeleton.find(name))] = std::move(mesh);
+  };
+  const auto place_both = [&place](const std::string& name, Mesh mesh) {
+    place(name + "_r", sculpt::mirrored(mesh));
+    place(name + "_l", std::move(mesh));
+  };
+  place("spine_base", sculpt::sculpt_trunk(table));
+  place("neck_base", sculpt::sculpt_neck(table));
+  place("head_base", sculpt::sculpt_head(table));
+  place_both("shoulder", sculpt::sculpt_upper_arm(table));
+  place_both("elbow", sculpt::sculpt_forearm(table));
+  place_both("wrist", sculpt::sculpt_palm(table));
+  for (int digit = 0; digit < 5; ++digit) {
+    for (int bone = 0; bone < 3; ++bone) {
+      const std::string_view name = sculpt::kDigitNodes[static_cast<size_t>(digit)][static_cast<size_t>(bone)];
+      place_both(std::string(name), sculpt::sculpt_phalanx(table, digit, bone));
+    }
+  }
+  return figure;
+}
+
+}  // namespace auslan
