@@ -60,7 +60,8 @@ double length(const Vec3& v) {
 
 std::vector<std::string> all_glosses() {
   std::vector<std::string> glosses;
-  for (const SignSummary& entry : shipped().lexicon->list().value())
+  const std::vector<SignSummary> entries = shipped().lexicon->list().value();
+  for (const SignSummary& entry : entries)
     glosses.push_back(entry.gloss);
   return glosses;
 }
