@@ -174,9 +174,10 @@ TEST(Motion, NothingReturnsToRestInsideASentence) {
   Shipped& s = shipped();
   const Score score = score_of({"HELLO", "MY", "NAME", "fs:K", "fs:I", "fs:M"});
   const double rest = s.signer->rest(Side::kRight).wrist.position.y;
-  for (const HandSegment& segment : score.hands[static_cast<size_t>(Side::kRight)])
-    if (segment.begin >= score.glosses.front().begin && segment.end <= score.glosses.back().end)
-      EXPECT_GT(segment.to.wrist.position.y, rest + 0.15);
+  for (const HandSegment& segment : score.hands[static_cast<size_t>(Side::kRight)]) {
+    if (segment.begin < score.glosses.front().begin || segment.end > score.glosses.back().end) continue;
+    EXPECT_GT(segment.to.wrist.position.y, rest + 0.15);
+  }
 }
 
 TEST(Motion, SpelledLettersKeepThePaceAndTheirHold) {

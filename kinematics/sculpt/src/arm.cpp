@@ -28,7 +28,7 @@ Mesh sculpt_upper_arm(const Measurements& table) {
   tube.start = Vec3(span * 0.5, 0.0, 0.0);
   tube.reach = 140.0;
   tube.columns = 24;
-  tube.rows = tube_rows(1, {0.0, 0.15, 0.35, 0.55, 0.75, 0.9, 1.0}, 3);
+  tube.rows = tube_rows(1, {0.3, 0.6, 0.8, 1.0}, 2);
   Grid arm_grid = cast_tube(skin_field, tube, Part::kSkin);
   const Colour skin = colour_of(table.skin);
   paint(arm_grid, [&](const Vec3& p) { return skin * mix(0.90, 1.0, smooth_step(0.70, 0.82, p.x / span)); });
@@ -43,8 +43,8 @@ Mesh sculpt_upper_arm(const Measurements& table) {
   Tube cloth;
   cloth.end = Vec3(hem, 0.0, 0.0);
   cloth.reach = 140.0;
-  cloth.columns = 28;
-  cloth.rows = tube_rows(4, {0.0, 0.12, 0.24, 0.36, 0.48, 0.6, 0.72, 0.84, 0.93, 1.0}, 0);
+  cloth.columns = 24;
+  cloth.rows = tube_rows(3, {0.0, 0.16, 0.33, 0.5, 0.67, 0.84, 0.93, 1.0}, 0);
   Grid outside = cast_tube(sleeve, cloth, Part::kCloth);
   const Colour shirt = colour_of(table.shirt);
   paint(outside, [&](const Vec3& p) { return shirt * mix(1.0, 0.80, smooth_step(hem * 0.935, hem * 0.945, p.x)); });
@@ -80,11 +80,11 @@ Mesh sculpt_forearm(const Measurements& table) {
     // Round at the elbow, an oval of half the thickness at the wrist (palms down: broad from front to back).
     const double flat = mix(1.0, 1.40, smooth_step(0.45, 1.0, p.x / span));
     const Vec3 q(p.x, p.y * flat, p.z);
-    double d = round_cone(q, Vec3(0.0), elbow * 0.97, Vec3(span * 0.24, 0.0, 0.0), arm);
+    double d = round_cone(q, Vec3(0.0), elbow * 0.97, Vec3(span * 0.24, 0.0, 0.0), arm * 0.98);
     d = join(d, round_cone(q, Vec3(span * 0.24, 0.0, 0.0), arm, Vec3(span * 0.72, 0.0, 0.0), wrist * 1.14), 16.0);
     d = join(d, round_cone(q, Vec3(span * 0.72, 0.0, 0.0), wrist * 1.13, Vec3(span, 0.0, 0.0), wrist * 1.10), 16.0);
     // The muscle on the thumb's side, and the head of the ulna on the little finger's.
-    d = join(d, ellipsoid(q, Vec3(span * 0.22, 2.0, 9.0), Vec3(64.0, arm * 0.93, arm * 0.9)), 14.0);
+    d = join(d, ellipsoid(q, Vec3(span * 0.27, 2.0, 5.0), Vec3(84.0, arm * 0.97, arm * 0.96)), 14.0);
     d = join(d, ball(p, Vec3(span - 12.0, 8.0, 0.0 - wrist * 0.72), 8.5), 8.0);
     return d;
   };
@@ -92,7 +92,7 @@ Mesh sculpt_forearm(const Measurements& table) {
   tube.end = Vec3(span, 0.0, 0.0);
   tube.reach = 90.0;
   tube.columns = 24;
-  tube.rows = tube_rows(3, {0.0, 0.08, 0.17, 0.27, 0.38, 0.5, 0.62, 0.74, 0.84, 0.92, 1.0}, 3);
+  tube.rows = tube_rows(3, {0.0, 0.1, 0.22, 0.36, 0.5, 0.64, 0.78, 0.9, 1.0}, 2);
   Grid grid = cast_tube(field, tube, Part::kSkin);
   const Colour skin = colour_of(table.skin);
   paint(grid, [&](const Vec3&) { return skin; });

@@ -72,9 +72,9 @@ Mesh sculpt_phalanx(const Measurements& table, int digit, int bone) {
   tube.end = end;
   tube.up = back;
   tube.reach = 40.0;
-  tube.columns = thumb ? 16 : 14;
-  tube.rows = last ? tube_rows(2, {0.0, 0.17, 0.36, 0.55, 0.74, 0.9, 1.0}, 3)
-                   : tube_rows(2, {0.0, 0.14, 0.3, 0.5, 0.7, 0.86, 1.0}, 2);
+  tube.columns = thumb ? 14 : 12;
+  tube.rows =
+      last ? tube_rows(1, {0.0, 0.2, 0.4, 0.6, 0.8, 1.0}, 3) : tube_rows(1, {0.0, 0.16, 0.36, 0.62, 0.84, 1.0}, 2);
   Grid grid = cast_tube(field, tube, Part::kSkin);
 
   const Colour flush = colour_of(table.skin) * Vec3(0.985, 0.90, 0.885);
@@ -93,7 +93,7 @@ Mesh sculpt_phalanx(const Measurements& table, int digit, int bone) {
     // Knuckles are redder on the back, and folded on the palm's side.
     const double joint_near = bone > 0 ? 1.0 - smooth_step(0.0, 5.0, t < 0.0 ? -t : t) : 0.0;
     c = mix(c, flush, 0.55 * joint_near * smooth_step(0.1, 0.7, facing));
-    c = c * mix(1.0, 0.87, joint_near * smooth_step(0.0, 0.6, -facing));
+    c = c * mix(1.0, 0.91, joint_near * smooth_step(0.0, 0.6, -facing));
     if (last) c = mix(c, flush, 0.6 * smooth_step(0.5, 1.0, t / bone_length));
     return c;
   });
@@ -106,18 +106,18 @@ Mesh sculpt_phalanx(const Measurements& table, int digit, int bone) {
     const double from = bone_length * (thumb ? 0.42 : 0.44);
     const double to = bone_length * 0.985;
     const double outline[5][2] = {{0.0, 0.55}, {0.14, 0.92}, {0.5, 1.0}, {0.82, 0.96}, {1.0, 0.62}};
-    Grid nail(5, 10, false, Part::kNail);
+    Grid nail(5, 8, false, Part::kNail);
     const Colour plate = colour_of(table.skin) * Vec3(1.03, 0.95, 0.95) + Vec3(8.0, 10.0, 10.0);
     for (int row = 0; row < 5; ++row) {
       const double x = mix(from, to, outline[row][0]);
       const double width = half_width * outline[row][1];
-      for (int column = 0; column < 10; ++column) {
-        const Angle turn = angle_deg(36.0 * column);
+      for (int column = 0; column < 8; ++column) {
+        const Angle turn = angle_deg(45.0 * column);
         const double across = turn.sine * width;
         const Vec3 foot = along * x + side * across;
         const Vec3 skin = cast(field, foot, back, 30.0);
         const bool sunk = row == 0;
-        const double lift = turn.cosine > -0.1 ? (sunk ? -0.5 : 0.55) : -1.6;
+        const double lift = turn.cosine > -0.1 ? (sunk ? -0.5 : 0.35 + 0.3 * turn.cosine) : -1.6;
         nail.at(row, column).point = skin + back * lift;
         nail.at(row, column).colour = row == 4 ? mix(plate, Colour(250.0, 240.0, 232.0), 0.55) : plate;
       }

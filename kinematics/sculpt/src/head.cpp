@@ -1,79 +1,185 @@
 // SPDX-License-Identifier: Apache-2.0
-// The field of the head, and how its parts become one mesh.
+// The head's skin: one closed surface whose rings start in the throat, pass the lips and go round the face to the back
+// of the head, so that the rings near the mouth are the lips' own lines.
 #include "head.h"
 
-#include "layout.h"
+#include <cmath>
+#include <iterator>
 
 namespace auslan::sculpt {
 
-HeadSpace head_space(const Measurements& table) {
-  HeadSpace space;
-  space.stretch = Vec3(table.head_breadth / 151.0, table.eye_to_vertex / 111.0, table.head_length / 195.0);
-  space.stretch_down = table.face_height / 118.0;
-  space.eye_x = 0.5 * table.interpupillary / space.stretch.x;
-  return space;
+namespace {
+
+/// The head is star-shaped seen from here: even the nose's underside and the chin's.
+const Vec3 kInside(0.0, 55.0, 10.0);
+constexpr int kColumns = 84;
+
+/// Rings round the mouth in millimetres from the line between the lips.
+constexpr double kNearRings[] = {0.0, 1.2, 2.8, 4.8, 7.0, 9.0, 11.0, 13.5, 16.0, 18.5, 21.0, 24.0, 27.5, 31.5, 36.0};
+/// Then rings by their angle from the face's axis, degrees, seen from kInside.
+constexpr double kFarRings[] = {16.5, 18.2, 20.0, 22.0, 24.0,  26.0,  28.0,  30.0,  32.0,  34.0, 36.0,
+                                38.0, 40.0, 42.0, 44.0, 46.0,  48.5,  51.0,  54.0,  57.5,  61.5, 66.0,
+                                71.0, 77.0, 84.0, 92.0, 101.0, 111.0, 122.0, 135.0, 150.0, 165.0};
+constexpr double kFirstFar = 15.0;
+
+double tangent_of_half(double degrees) {
+  const Angle half = angle_deg(0.5 * degrees);
+  return half.sine / half.cosine;
 }
 
-Vec3 place(const HeadSpace& space, const Vec3& point) {
-  const double up = point.y > 0.0 ? space.stretch.y : space.stretch_down;
-  return {point.x * space.stretch.x, kEyeLevel + point.y * up, point.z * space.stretch.z};
+Vec3 near_direction(double ring, const Angle& turn) {
+  const double wide = std::sqrt(ring * ring + kMouthHalf * kMouthHalf * (1.0 - ring * ring / 4000.0));
+  const double x = wide * turn.sine;
+  // The lips' outline is a lens with pointed corners; the face's rings are round.
+  const double rise = turn.cosine < 0.0 ? 0.0 - turn.cosine : turn.cosine;
+  const double height = ring * turn.cosine * mix(mix(1.0, rise, 0.25), 1.0, smooth_step(8.0, 24.0, ring));
+  // Cupid's bow: two low peaks on the upper lip's edge.
+  const double side = x < 0.0 ? 0.0 - x : x;
+  const double bow = turn.cosine > 0.0 ? smooth_step(0.0, 6.5, side) * (1.0 - smooth_step(6.5, 20.0, side)) : 0.0;
+  const double raised = 1.7 * bow * smooth_step(1.0, 7.0, ring) * (1.0 - smooth_step(8.0, 22.0, ring));
+  return normalised(
+      Vec3(x, kMouthY + raised + kMouthLift * x * x * (1.0 - ring / 36.0) + height, kMouthZ - 0.012 * x * x) - kInside);
 }
 
-Field head_field(const HeadSpace& space) {
-  const double eye_x = space.eye_x;
-  return [eye_x](const Vec3& p) {
-    const Vec3 q(p.x < 0.0 ? -p.x : p.x, p.y, p.z);
-    // Skull, forehead, the mass of the face, jaw and chin.
-    double d = ellipsoid(p, Vec3(0.0, 26.0, -3.0), Vec3(75.0, 85.0, 94.0));
-    d = join(d, ellipsoid(p, Vec3(0.0, 36.0, 36.0), Vec3(58.0, 46.0, 52.0)), 16.0);
-    d = join(d, ellipsoid(p, Vec3(0.0, -38.0, 36.0), Vec3(58.0, 64.0, 50.0)), 22.0);
-    d = join(d, round_cone(q, Vec3(47.0, -60.0, 14.0), 13.0, Vec3(15.0, -95.0, 66.0), 13.0), 20.0);
-    d = join(d, ellipsoid(p, Vec3(0.0, -97.0, 74.0), Vec3(17.0, 14.0, 17.0)), 14.0);
-    d = join(d, ellipsoid(q, Vec3(45.0, -22.0, 55.0), Vec3(20.0, 13.0, 19.0)), 18.0);
-    // Eye sockets under the brow's ridge, then the lids over the eyeballs.
-    d = join(d, round_cone(q, Vec3(0.0, 15.0, 82.0), 9.0, Vec3(38.0, 18.0, 68.0), 9.0), 14.0);
-    d = carve(d, ellipsoid(q, Vec3(eye_x - 1.5, -1.0, 95.0), Vec3(17.5, 11.5, 19.0)), 10.0);
-    d = join(d, ball(q, Vec3(eye_x, 0.0, kEyeZ), kLidRadius), 3.5);
-    // Muzzle, lips, the groove under them.
-    d = join(d, ellipsoid(p, Vec3(0.0, -67.0, 72.0), Vec3(33.0, 24.0, 23.0)), 14.0);
-    d = join(d, ellipsoid(q, Vec3(7.0, -64.4, 90.0), Vec3(17.0, 4.4, 7.5)), 3.5);
-    d = join(d, ellipsoid(p, Vec3(0.0, -72.4, 89.5), Vec3(19.0, 5.4, 8.0)), 3.5);
-    d = carve(d, ellipsoid(p, Vec3(0.0, -84.0, 101.0), Vec3(20.0, 4.0, 9.0)), 8.0);
-    // Nose: bridge, tip, wings, and the dents of the nostrils.
-    d = join(d, round_cone(p, Vec3(0.0, 6.0, 82.0), 6.5, Vec3(0.0, -33.0, 101.0), 8.5), 9.0);
-    d = join(d, ball(p, Vec3(0.0, -35.5, 104.5), 9.6), 5.0);
-    d = join(d, ellipsoid(q, Vec3(11.5, -39.5, 93.0), Vec3(7.0, 6.8, 10.0)), 5.0);
-    d = carve(d, ellipsoid(q, Vec3(6.6, -46.5, 99.0), Vec3(3.6, 3.4, 5.0)), 2.5);
-    return d;
-  };
+/// Beyond the last near ring the columns run on along great circles (straight lines in the stereographic plane) and
+/// their rings become round.
+Vec3 far_direction(double degrees, const Angle& turn) {
+  const Vec3 axis = normalised(Vec3(0.0, kMouthY - 2.0, kMouthZ) - kInside);
+  const Vec3 up(0.0, axis.z, 0.0 - axis.y);
+  const Vec3 edge = near_direction(36.0, turn);
+  const double along = edge.y * axis.y + edge.z * axis.z;
+  const double u = edge.x / (1.0 + along);
+  const double v = (edge.y * up.y + edge.z * up.z) / (1.0 + along);
+  const double reach = std::sqrt(u * u + v * v);
+  const double ratio = mix(reach / tangent_of_half(kFirstFar), 1.0, smooth_step(kFirstFar, 70.0, degrees));
+  const double scale = tangent_of_half(degrees) * ratio / reach;
+  const double s = u * scale;
+  const double t = v * scale;
+  const double square = s * s + t * t;
+  return (Vec3(2.0 * s, 0.0, 0.0) + up * (2.0 * t) + axis * (1.0 - square)) / (1.0 + square);
+}
+
+struct PocketRow {
+  double depth, half_width, half_height;
+};
+/// From the throat to just behind the lips.
+constexpr PocketRow kPocket[] = {
+    {42.0, 14.0, 7.0}, {32.0, 21.0, 12.0}, {18.0, 25.0, 12.0}, {9.0, 25.0, 7.0}, {4.0, 24.5, 2.2}};
+
+double colour_bump(const Vec3& p, const Vec3& centre, double radius) {
+  return 1.0 - smooth_step(0.2 * radius, radius, length(p - centre));
+}
+
+}  // namespace
+
+Colour skin_colour(const Measurements& table, const Vec3& p) {
+  const Vec3 q(p.x < 0.0 ? 0.0 - p.x : p.x, p.y, p.z);
+  const Colour skin = colour_of(table.skin);
+  const Colour flush = mix(skin, colour_of(table.lips), 0.42);
+  Colour c = mix(skin, flush, 0.55 * colour_bump(q, {44.0, 12.0, 80.0}, 34.0));
+  c = mix(c, flush, 0.5 * colour_bump(q, {0.0, 8.0, 120.0}, 22.0));
+  c = mix(c, flush, 0.35 * colour_bump(q, {0.0, -58.0, 100.0}, 20.0));
+  // Round the eyes the skin is thin and in shade; the nostrils are holes too small for the mesh.
+  c = mix(c, shaded(flush, 0.9), 0.5 * colour_bump(q, {31.5, 55.0, 86.0}, 22.0));
+  c = mix(c, shaded(flush, 0.5), 0.9 * colour_bump(q, {6.5, -0.5, 112.0}, 6.0));
+  return c;
+}
+
+void add_piece(Head& head, const Grid& grid, const std::vector<Site>& sites, bool both) {
+  const size_t first_index = head.shape.triangles.size();
+  const uint32_t first = append(head.shape, grid);
+  head.sites.insert(head.sites.end(), sites.begin(), sites.end());
+  if (!both) return;
+  append_mirrored(head.shape, first, first_index);
+  head.sites.insert(head.sites.end(), sites.begin(), sites.end());
+}
+
+void add_skin(Head& head, const Measurements& table) {
+  const Field field = [&](const Vec3& p) { return skull_field(p, head.eye_x); };
+  const int pocket = static_cast<int>(std::size(kPocket));
+  const int near = static_cast<int>(std::size(kNearRings));
+  const int far = static_cast<int>(std::size(kFarRings));
+  Grid grid(pocket + near + far, kColumns, true, Part::kSkin);
+  std::vector<Site> sites(grid.points.size() + 2);
+  // Lips without paint are half skin.
+  const Colour lips = mix(colour_of(table.lips), colour_of(table.skin), 0.22);
+  const Colour dark(52.0, 20.0, 22.0);
+  for (int column = 0; column < kColumns; ++column) {
+    // Closer columns above the mouth, where the nose and the eyes are.
+    const double even = 360.0 * column / kColumns;
+    const Angle turn = angle_deg(even - 19.0 * angle_deg(even).sine);
+    for (int row = 0; row < grid.rows; ++row) {
+      Site& site = sites[1 + static_cast<size_t>(row * kColumns + column)];
+      site.up = turn.cosine;
+      Vertex& vertex = grid.at(row, column);
+      if (row < pocket) {
+        const PocketRow& hole = kPocket[row];
+        site.piece = Piece::kMouthPocket;
+        site.ring = 0.0 - hole.depth;
+        const double x = hole.half_width * turn.sine;
+        vertex.point = Vec3(x, kMouthY + kMouthLift * x * x + hole.half_height * turn.cosine,
+                            kMouthZ - hole.depth - 0.012 * x * x);
+        vertex.colour = mix(shaded(lips, 0.55), dark, smooth_step(3.0, 14.0, hole.depth));
+      } else if (row < pocket + near) {
+        site.ring = kNearRings[row - pocket];
+        vertex.point = cast(field, kInside, near_direction(site.ring, turn), 160.0);
+        // The lip's colour ends on a ring; the line where the lips meet is darker.
+        const Colour lip =
+            site.ring < 1.0 ? shaded(lips, 0.62) : mix(shaded(lips, 0.86), lips, smooth_step(1.0, 4.0, site.ring));
+        // Towards the corners the lips' colour runs out into the skin.
+        const double side = turn.sine < 0.0 ? 0.0 - turn.sine : turn.sine;
+        const double pale = site.ring < 1.0 ? 0.0 : 0.8 * smooth_step(0.84, 1.0, side);
+        const Colour skin = skin_colour(table, vertex.point);
+        vertex.colour = site.ring < 8.0 ? mix(lip, skin, pale) : skin;
+      } else {
+        const double degrees = kFarRings[row - pocket - near];
+        site.ring = 36.0 + 2.3 * (degrees - kFirstFar);
+        vertex.point = cast(field, kInside, far_direction(degrees, turn), 160.0);
+        vertex.colour = skin_colour(table, vertex.point);
+      }
+    }
+  }
+  grid.first_pole.point = Vec3(0.0, kMouthY, kMouthZ - 46.0);
+  grid.first_pole.colour = dark;
+  sites.front() = {Piece::kMouthPocket, -46.0, 0.0, 0.0};
+  grid.last_pole.point = cast(field, kInside, normalised(kInside - Vec3(0.0, kMouthY - 2.0, kMouthZ)), 160.0);
+  grid.last_pole.colour = colour_of(table.skin);
+  sites.back() = {Piece::kSkin, 400.0, 0.0, 0.0};
+  add_piece(head, grid, sites, false);
 }
 
 Mesh sculpt_head(const Measurements& table) {
-  const HeadSpace space = head_space(table);
-  Shape shape;
-  append_skin(shape, space, table);
-  append_eyes(shape, space, table);
-  append_brows(shape, space, table);
-  append_ears(shape, space, table);
-  append_hair(shape, space, table);
-  append_mouth_parts(shape);
-
-  Shape placed = shape;
-  for (Vertex& v : placed.vertices)
-    v.point = place(space, v.point);
-  Mesh mesh = finish(placed);
-  for (int channel = 0; channel < kFaceChannelCount; ++channel) {
-    Morph morph;
-    morph.channel = static_cast<FaceChannel>(channel);
-    const std::vector<Vec3> displacement = channel_displacement(shape, space, morph.channel);
-    for (size_t i = 0; i < shape.vertices.size(); ++i) {
-      if (length(displacement[i]) < 0.05) continue;
-      const Vec3& from = shape.vertices[i].point;
-      morph.vertices.push_back(static_cast<uint32_t>(i));
-      morph.displacement.emplace_back((place(space, from + displacement[i]) - place(space, from)) * 0.001);
-    }
-    mesh.morphs.push_back(std::move(morph));
+  const Vec3 stretch(table.head_breadth / 151.0, 1.0, table.head_length / 195.0);
+  const double above = table.eye_to_vertex / 111.0;
+  const double below = table.face_height / 118.0;
+  const auto stretched = [&](const Vec3& p) {
+    const double y = p.y - kEyeLevel;
+    return Vec3(p.x * stretch.x, kEyeLevel + y * (y > 0.0 ? above : below), p.z * stretch.z);
+  };
+  Head head;
+  head.eye_x = 0.5 * table.interpupillary / stretch.x;
+  add_skin(head, table);
+  add_hair(head, table);
+  add_ears(head, table);
+  add_eyes(head, table);
+  add_mouth(head);
+  Shape sized = head.shape;
+  for (Vertex& v : sized.vertices)
+    v.point = stretched(v.point);
+  Mesh mesh = finish(sized);
+  // The skin's shading follows the form itself, not the triangles that approach it.
+  for (size_t i = 0; i < head.sites.size(); ++i) {
+    const Site& site = head.sites[i];
+    const bool skin = site.piece == Piece::kSkin && site.ring > 0.0;
+    const bool lower_lid = site.piece == Piece::kLowerLid && site.ring > 0.03;
+    if (!skin && !lower_lid) continue;
+    const Vec3& p = head.shape.vertices[i].point;
+    const Vec3 out =
+        normalised(field_normal(p, head.eye_x) / Vec3(stretch.x, p.y > kEyeLevel ? above : below, stretch.z));
+    // The lower lid runs on into the cheek without an edge of its own.
+    mesh.normals[i] = glm::vec3(skin ? out : normalised(out * 0.8 + Vec3(mesh.normals[i]) * 0.2));
   }
+  mesh.morphs = face_morphs(head, stretched);
   return mesh;
 }
 

@@ -1,57 +1,85 @@
 // SPDX-License-Identifier: Apache-2.0
-// The head, shaped in a space of its own: millimetres of a mean head (ANSUR II), origin between the eyes' level and the
-// middle of the skull, Y up, Z forward. A table's head is that one stretched.
+// What the rooms of the head share. Everything is shaped for the mean head of the table (151 x 195 mm, face 118 mm) and
+// stretched to the table's numbers at the very end, so that places on the face can be named by plain millimetres.
 #pragma once
 
-#include "sculpt/measurements.h"
-#include "shape.h"
+#include "kinematics/pose.h"
+#include "layout.h"
+
+#include <vector>
 
 namespace auslan::sculpt {
 
-struct HeadSpace {
-  double eye_x = 31.45;  ///< centre of the left eye, in head space
-  Vec3 stretch{1.0};     ///< breadth, height above the eyes, length: table over mean
-  double stretch_down = 1.0;
+/// Which piece of the head a vertex belongs to; its morphs follow from that.
+enum class Piece : uint8_t {
+  kSkin,
+  kMouthPocket,
+  kHair,
+  kEar,
+  kEyeball,
+  kUpperLid,
+  kLowerLid,
+  kBrow,
+  kUpperTeeth,
+  kLowerTeeth,
+  kTongue
 };
-HeadSpace head_space(const Measurements& table);
-/// A point of head space in the frame of head_base, millimetres.
-Vec3 place(const HeadSpace& space, const Vec3& point);
 
-inline constexpr double kEyeZ = 66.0;  ///< centre of the eyeball
-inline constexpr double kEyeRadius = 13.0;
-inline constexpr double kLidRadius = 14.1;  ///< the ball that the lids lie on
-inline constexpr double kEyeHalfWidth = 15.0;
-inline constexpr double kMouthY = -67.6;
-inline constexpr double kMouthHalfWidth = 26.0;
-
-/// The skin of skull and face with closed lips and without an opening for the eyes; ears are parts of their own.
-Field head_field(const HeadSpace& space);
-
-/// 1 in the middle of the eye's opening, falling to 0 at its corners and beyond; x >= 0.
-double eye_bulge(const HeadSpace& space, double x);
-/// Where the lids' edges are at rest.
-double upper_lid(const HeadSpace& space, double x);
-double lower_lid(const HeadSpace& space, double x);
-/// 1 in the middle of the mouth, 0 at its corners and beyond.
-double mouth_bulge(double x);
-
-/// One closed surface with slits for eyes and mouth, each a pocket.
-void append_skin(Shape& shape, const HeadSpace& space, const Measurements& table);
-void append_eyes(Shape& shape, const HeadSpace& space, const Measurements& table);
-void append_brows(Shape& shape, const HeadSpace& space, const Measurements& table);
-void append_ears(Shape& shape, const HeadSpace& space, const Measurements& table);
-void append_hair(Shape& shape, const HeadSpace& space, const Measurements& table);
-void append_mouth_parts(Shape& shape);
-
-/// The columns of skin and hair: where their rays start and where they point, seen from above.
-struct HeadColumn {
-  double origin_x = 0.0;
-  double turn_deg = 0.0;  ///< 0 forward, 180 back
+/// A vertex's place in its piece. Skin and pocket: `ring` millimetres from the line between the lips (negative behind
+/// it), `up` +1 straight above the mouth, -1 straight below. Lids: `ring` 0 at the margin to 1 at the hidden end, `up`
+/// the place on the axis from corner to corner, -1 to 1. Brow and tongue: `up` 0 to 1 from the inner end, or the root,
+/// to the other.
+struct Site {
+  Piece piece = Piece::kSkin;
+  double ring = 0.0;
+  double up = 0.0;
+  double radius = 0.0;  ///< lids: distance from the eye's centre
 };
-inline constexpr int kHeadHalfColumns = 23;
-HeadColumn head_column(const HeadSpace& space, int column);
 
-/// Where a face channel at weight 1 brings each vertex of the shape, as displacements in head space.
-std::vector<Vec3> channel_displacement(const Shape& shape, const HeadSpace& space, FaceChannel channel);
+struct Head {
+  Shape shape;
+  std::vector<Site> sites;  ///< one per vertex
+  double eye_x = 0.0;       ///< the eyes' centres lie at +-eye_x, in the mean head's millimetres
+};
+
+inline constexpr double kEyeZ = 75.0;
+inline constexpr double kBallRadius = 13.6;
+inline constexpr double kMouthY = -23.0;
+inline constexpr double kMouthZ = 104.0;
+/// The line between the lips rises towards the corners by this much times x squared.
+inline constexpr double kMouthLift = 0.0016;
+/// Half the mouth's width.
+inline constexpr double kMouthHalf = 24.5;
+
+/// The head without hair, ears, eyes and the mouth's inside.
+double skull_field(const Vec3& p, double eye_x);
+/// Unit, out of the surface near p.
+Vec3 field_normal(const Vec3& p, double eye_x);
+/// The skin's colour at a place: redder cheeks, nose and chin, shade over the eyes, dark nostrils.
+Colour skin_colour(const Measurements& table, const Vec3& p);
+
+/// Skin with the mouth's pocket.
+void add_skin(Head& head, const Measurements& table);
+/// Hair and ears.
+void add_hair(Head& head, const Measurements& table);
+void add_ears(Head& head, const Measurements& table);
+/// Eyeballs, lids and brows.
+void add_eyes(Head& head, const Measurements& table);
+/// Teeth and tongue.
+void add_mouth(Head& head);
+/// Appends a grid whose points have the given sites (poles first and last, as append() orders them). `both` appends the
+/// mirror image as well.
+void add_piece(Head& head, const Grid& grid, const std::vector<Site>& sites, bool both);
+
+/// Where a lid's vertex is, relative to the left eye's centre, when the lid reaches from `margin_deg` above the horizon
+/// to `hidden_deg`, where it lies under the skin.
+Vec3 lid_point(const Site& site, double margin_deg, double hidden_deg);
+/// The lids at rest.
+inline constexpr double kUpperOpen = 24.0, kUpperHidden = 88.0, kLowerOpen = -27.0, kLowerHidden = -84.0;
+
+/// The displacement of one vertex by one channel at weight 1, as if the channel were its left one.
+Vec3 displacement(FaceChannel channel, const Site& site, const Vec3& p);
+/// Every channel's morph of the finished mesh; `stretched` maps the mean head's points to the table's.
+std::vector<Morph> face_morphs(const Head& head, const std::function<Vec3(const Vec3&)>& stretched);
 
 }  // namespace auslan::sculpt

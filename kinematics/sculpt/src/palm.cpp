@@ -93,12 +93,12 @@ Mesh sculpt_palm(const Measurements& table) {
     }
     // The webs between the fingers, and the lines of the palm: round the thumb's ball and across below the fingers.
     const double ahead = smooth_step(0.35, 0.85, normal.x) * smooth_step(60.0, 75.0, p.x);
-    c = c * mix(1.0, 0.80, ahead);
+    c = c * mix(1.0, 0.88, ahead);
     if (normal.y < -0.2) {
       const double arc = length(Vec3(p.x - 28.0, 0.0, (p.z - 32.0) * 1.25)) - 34.0;
       const double heart = p.x - 76.0 + 0.006 * (p.z - 26.0) * (p.z - 26.0);
       const double line = std::min(arc < 0.0 ? -arc : arc, heart < 0.0 ? -heart : heart);
-      c = c * mix(0.88, 1.0, smooth_step(0.8, 3.4, line));
+      c = c * mix(0.90, 1.0, smooth_step(0.8, 3.4, line));
     }
     return c;
   };

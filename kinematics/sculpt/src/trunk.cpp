@@ -68,8 +68,8 @@ Mesh sculpt_trunk(const Measurements& table) {
     double d = (ring - 1.0) * std::min(s.half_breadth, s.half_depth);
     const double lid = p.y - (shoulder.y + 4.0);
     d = -join(-d, -lid, 40.0);
-    const double floor = -118.0 - p.y;
-    d = -join(-d, -floor, 14.0);
+    const double floor = -124.0 - p.y;
+    d = -join(-d, -floor, 8.0);
     const Vec3 q(p.x < 0.0 ? -p.x : p.x, p.y, p.z);
     // Deltoid caps, the slope of the trapezius, collar bones, chest and shoulder blades.
     d = join(d, ball(q, shoulder + Vec3(-6.0, -4.0, 0.0), 54.0), 34.0);
@@ -78,22 +78,23 @@ Mesh sculpt_trunk(const Measurements& table) {
     d = join(d, ellipsoid(q, Vec3(78.0, armpit + 8.0, 18.0 - chest_deep), Vec3(62.0, 70.0, 34.0)), 40.0);
     d = join(d, round_cone(p, neck + Vec3(0.0, -14.0, 4.0), 62.0, mix(neck, skull, 0.10), neck_radius(table) + 6.0),
              26.0);
+    d = join(d, ellipsoid(p, neck + Vec3(0.0, -62.0, 44.0), Vec3(84.0, 46.0, 40.0)), 36.0);
     d = -join(-d, -0.915 * (p.y - neckline(p.z)), 6.0);
     return d;
   };
 
   Shape shape;
   Tube tube;
-  tube.start = Vec3(0.0, -60.0, -4.0);
+  tube.start = Vec3(0.0, -112.0, -4.0);
   tube.end = Vec3(0.0, shoulder.y - 10.0, -14.0);
   tube.up = normalised(glm::cross(Vec3(1.0, 0.0, 0.0), normalised(tube.end - tube.start)));
   tube.spread_side = 100.0;
   tube.reach = 330.0;
-  tube.columns = 52;
+  tube.columns = 44;
   tube.symmetric = true;
-  tube.rows = {{0.0, -60.0}, {0.0, -38.0}};
-  for (int i = 0; i <= 22; ++i)
-    tube.rows.push_back({i / 22.0, 0.0});
+  tube.rows = {{0.0, -70.0}, {0.0, -20.0}, {0.0, -10.0}};
+  for (int i = 0; i <= 17; ++i)
+    tube.rows.push_back({i / 17.0, 0.0});
   for (const double tilt : {9.0, 18.0, 27.0, 36.0, 44.0, 52.0, 60.0, 67.0, 73.0, 79.0, 84.0})
     tube.rows.push_back({1.0, tilt});
   Grid body = cast_tube(shirt, tube, Part::kCloth);
@@ -132,9 +133,11 @@ Mesh sculpt_trunk(const Measurements& table) {
   const double hip = 0.5 * table.hip_breadth;
   const Field legs = [=](const Vec3& p) {
     const Vec3 q(p.x < 0.0 ? -p.x : p.x, p.y, p.z);
-    double d = ellipsoid(p, Vec3(0.0, -60.0, -10.0), Vec3(hip, 90.0, 0.5 * table.waist_depth));
-    d = join(d, round_cone(q, Vec3(hip * 0.52, -90.0, -6.0), hip * 0.5, Vec3(hip * 0.5, -235.0, 0.0), hip * 0.44),
-             26.0);
+    double d = ellipsoid(p, Vec3(0.0, -60.0, -10.0), Vec3(hip - 4.0, 90.0, 0.5 * table.waist_depth - 12.0));
+    d = join(d, round_cone(q, Vec3(hip * 0.53, -90.0, -10.0), hip * 0.46, Vec3(hip * 0.5, -235.0, -4.0), hip * 0.43),
+             30.0);
+    // What lies between the thighs is closed: no camera looks there, and rays have an inside to start from.
+    d = join(d, round_cone(p, Vec3(0.0, -90.0, -10.0), 62.0, Vec3(0.0, -235.0, -4.0), 48.0), 20.0);
     return d;
   };
   Tube below;
@@ -143,7 +146,7 @@ Mesh sculpt_trunk(const Measurements& table) {
   below.up = Vec3(0.0, 0.0, 1.0);
   below.spread_side = hip * 0.5;
   below.reach = 330.0;
-  below.columns = 32;
+  below.columns = 24;
   below.symmetric = true;
   below.rows = tube_rows(2, {0.0, 0.2, 0.4, 0.6, 0.8, 1.0}, 2);
   Grid seat = cast_tube(legs, below, Part::kCloth);
@@ -158,13 +161,15 @@ Mesh sculpt_neck(const Measurements& table) {
   const double radius = neck_radius(table);
   const Field field = [=](const Vec3& p) {
     const Vec3 q(p.x < 0.0 ? -p.x : p.x, p.y, p.z);
-    double d = round_cone(p, Vec3(0.0, -30.0, -6.0), radius * 0.98, Vec3(0.0, top.y * 0.55, 12.0), radius * 0.98);
-    d = join(
-        d,
-        round_cone(p, Vec3(0.0, top.y * 0.5, 12.0), radius * 0.97, Vec3(0.0, top.y + 8.0, top.z - 12.0), radius * 0.95),
-        16.0);
+    // Deeper than broad.
+    const Vec3 oval(p.x * 1.08, p.y, p.z * 0.97);
+    double d = round_cone(oval, Vec3(0.0, -24.0, 3.0), radius * 0.88, Vec3(0.0, top.y * 0.55, 12.0), radius * 0.98);
+    d = join(d,
+             round_cone(oval, Vec3(0.0, top.y * 0.5, 12.0), radius * 0.97, Vec3(0.0, top.y + 8.0, top.z - 12.0),
+                        radius * 0.95),
+             16.0);
     // The two muscles from behind the ear to the breastbone, and the larynx.
-    d = join(d, round_cone(q, Vec3(54.0, top.y + 5.0, top.z - 10.0), 10.0, Vec3(12.0, -10.0, radius - 8.0), 7.0), 12.0);
+    d = join(d, round_cone(q, Vec3(47.0, top.y + 5.0, top.z - 12.0), 9.0, Vec3(12.0, -10.0, radius - 8.0), 7.0), 12.0);
     d = join(d, ball(p, Vec3(0.0, top.y * 0.48, radius + 7.0), 8.0), 12.0);
     return d;
   };
@@ -173,7 +178,7 @@ Mesh sculpt_neck(const Measurements& table) {
   tube.end = Vec3(0.0, top.y, 6.0);
   tube.up = Vec3(0.0, 0.0, 1.0);
   tube.reach = 140.0;
-  tube.columns = 36;
+  tube.columns = 28;
   tube.symmetric = true;
   tube.rows = tube_rows(1, {0.0, 0.15, 0.3, 0.45, 0.6, 0.75, 0.9, 1.0}, 1);
   Grid grid = cast_tube(field, tube, Part::kSkin);

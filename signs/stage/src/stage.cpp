@@ -37,7 +37,7 @@ raster::Camera camera_for(const Figure& figure, CameraName name, float aspect) {
   double cot = 3.2;  // half the vertical field of view has a tangent of 1/3.2: a portrait lens
   switch (name) {
     case CameraName::kFront:
-      target = chest + Vec3(0, 0.14 * trunk, 0);
+      target = chest + Vec3(0, 0.07 * trunk, 0);
       eye = target + Vec3(0, 0.10 * trunk, 2.85 * trunk / 0.60);
       cot = 5.6;
       break;

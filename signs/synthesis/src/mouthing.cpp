@@ -162,7 +162,7 @@ FaceWeights weights_of(Viseme viseme) {
       set(kJawOpen, 0.28F);
       break;
     case kA:
-      set(kJawOpen, 0.5F);
+      set(kJawOpen, 0.42F);
       break;
     case kE:
       set(kJawOpen, 0.28F);

@@ -19,6 +19,15 @@ namespace {
 constexpr double kPalmReach = 0.045;
 // A hand that is `near` a place keeps this distance, metres.
 constexpr double kNearDistance = 0.015;
+// Where the natural elbow would put the forearm into the trunk, the arm swings about the line from shoulder to wrist
+// until it is clear. Radii in metres; the forearm may press into the shirt a little.
+constexpr double kElbowRadius = 0.045, kWristRadius = 0.028, kTolerable = 0.012;
+constexpr int kSwivelSteps = 28;
+constexpr double kSwivelStep = 5.0 * kDegree;
+
+double mix(double a, double b, double t) {
+  return a + (b - a) * t;
+}
 
 Transform parent_of_shoulder(const Skeleton& skeleton, Side side) {
   const ArmNodes nodes = arm_nodes(skeleton, side);
@@ -78,6 +87,7 @@ Signer::Signer(const Figure& figure, BodySites body, std::array<HandSites, 2> ha
     : figure_(&figure),
       body_(std::move(body)),
       hands_(std::move(hands)),
+      trunk_(TrunkProfile::measure(figure)),
       frames_{rest_hand_frame(figure.skeleton, Side::kLeft), rest_hand_frame(figure.skeleton, Side::kRight)} {}
 
 Result<Signer> Signer::build(const Figure& figure) {
@@ -103,7 +113,7 @@ ArmPlacement Signer::place_arm(Side side, const HandState& state) const {
 }
 
 Site Signer::other_site(Location location, HandPart touching, Side other_side, const HandState& other,
-                        const Vec3& comes_from) const {
+                        const Vec3& comes_from, const Vec3& offset) const {
   if (location == Location::kUpperArm || location == Location::kElbow) {
     const ArmPlacement arm = place_arm(other_side, other);
     const double along = location == Location::kUpperArm ? 0.45 : 0.97;
@@ -118,7 +128,10 @@ Site Signer::other_site(Location location, HandPart touching, Side other_side, c
     const Vec3 rest_middle =
         figure_->skeleton.rest_position(nodes.shoulder) + to_rest * (middle - arm.shoulder.position);
     const Vec3 rest_out = to_rest * out;
-    const auto hit = cast_ray(*figure_, only, rest_middle + rest_out * 0.5, -rest_out);
+    // The offset moves the ray across the arm, back onto the skin.
+    const Vec3 slide = to_rest * (offset - out * glm::dot(offset, out));
+    auto hit = cast_ray(*figure_, only, rest_middle + slide + rest_out * 0.5, -rest_out);
+    if (!hit) hit = cast_ray(*figure_, only, rest_middle + rest_out * 0.5, -rest_out);
     if (!hit) return {middle + out * 0.05, out};
     return {apply(arm.shoulder, hit->position), arm.shoulder.rotation * hit->normal};
   }
@@ -160,10 +173,12 @@ PlacedHand Signer::place(const Posture& posture, const Handshape& handshape, Sid
     site.normal = Vec3(side == Side::kRight ? -1.0 : 1.0, 0, 0);
   } else if (on_other && counterpart.state != nullptr) {
     // It is touched on the side that the touching part faces.
-    const Vec3 comes_from = -(state.wrist.rotation * local.normal);
-    site = other_site(location, part, other(side), *counterpart.state, comes_from);
+    // An upper arm hangs beside the trunk: what reaches across comes to its front and outside.
+    const Vec3 outside(side == Side::kRight ? 0.5 : -0.5, 0.0, 1.0);
+    const Vec3 comes_from = on_arm ? outside : -(state.wrist.rotation * local.normal);
+    site = other_site(location, part, other(side), *counterpart.state, comes_from, offset);
     if (!placed.touching) {
-      site.position += offset;
+      if (!on_arm) site.position += offset;
     } else if (is_broad(location)) {
       Vec3 slide = offset - site.normal * glm::dot(offset, site.normal);
       const double length = std::sqrt(glm::dot(slide, slide));
@@ -177,8 +192,37 @@ PlacedHand Signer::place(const Posture& posture, const Handshape& handshape, Sid
   placed.normal = placed.touching ? site.normal : -palm;
   state.wrist.position = site.position - reach;
   state.follows_head = is_on_head(location) && (placed.touching || kind == ContactKind::kNear) ? 1.0 : 0.0;
-  state.swivel = natural_swivel(figure_->skeleton, side, parent_of_shoulder(figure_->skeleton, side), state.wrist);
+  state.swivel = swivel_for(side, state.wrist);
   return placed;
+}
+
+double Signer::swivel_for(Side side, const Transform& world_from_wrist) const {
+  const Transform parent = parent_of_shoulder(figure_->skeleton, side);
+  const double natural = natural_swivel(figure_->skeleton, side, parent, world_from_wrist);
+  // How deep the elbow and the forearm lie in the trunk with a swivel.
+  const auto depth = [&](double swivel) {
+    HandState state;
+    state.wrist = world_from_wrist;
+    state.swivel = swivel;
+    const ArmPlacement arm = place_arm(side, state);
+    double deepest = 0;
+    for (const double along : {0.0, 0.3, 0.6, 0.9}) {
+      const Vec3 point = arm.elbow.position + (arm.wrist.position - arm.elbow.position) * along;
+      deepest = std::max(deepest, trunk_.depth(point, mix(kElbowRadius, kWristRadius, along)));
+    }
+    return deepest;
+  };
+  double best = natural, least = depth(natural);
+  for (int step = 1; step <= kSwivelSteps && least > kTolerable; ++step) {
+    for (const double sign : {1.0, -1.0}) {
+      const double swivel = natural + sign * step * kSwivelStep;
+      const double found = depth(swivel);
+      if (found >= least - 1e-4) continue;
+      least = found;
+      best = swivel;
+    }
+  }
+  return best;
 }
 
 HandState Signer::rest(Side side) const {

@@ -10,6 +10,7 @@
 #include "synthesis/body_sites.h"
 #include "synthesis/hand_sites.h"
 #include "synthesis/score.h"
+#include "synthesis/trunk_profile.h"
 
 #include <array>
 
@@ -49,11 +50,15 @@ class Signer {
   const HandFrame& hand_frame(Side side) const { return frames_[static_cast<size_t>(side)]; }
 
   /// Solves a posture for a hand of `side`. Directions and offsets are the signer's own for either hand; only locations
-  /// such as `contra_chest` depend on the side. Total: a place that cannot be reached is approached as far as the arm allows.
+  /// such as `contra_chest` depend on the side. Total: a place that cannot be reached is approached as far as the arm
+  /// allows.
   PlacedHand place(const Posture& posture, const Handshape& handshape, Side side, const OtherHand& counterpart) const;
 
   /// The arm that puts the wrist where `state` says, trunk at rest.
   ArmPlacement place_arm(Side side, const HandState& state) const;
+
+  /// A natural swivel for a wrist, moved on where it would put the forearm into the trunk.
+  double swivel_for(Side side, const Transform& world_from_wrist) const;
 
   /// The hand hanging beside the hip: the start and end of all signing.
   HandState rest(Side side) const;
@@ -61,12 +66,13 @@ class Signer {
  private:
   Signer(const Figure& figure, BodySites body, std::array<HandSites, 2> hands);
   /// The place on the other hand or arm, world space.
-  Site other_site(Location location, HandPart touching, Side other_side, const HandState& other,
-                  const Vec3& comes_from) const;
+  Site other_site(Location location, HandPart touching, Side other_side, const HandState& other, const Vec3& comes_from,
+                  const Vec3& offset) const;
 
   const Figure* figure_;
   BodySites body_;
   std::array<HandSites, 2> hands_;
+  TrunkProfile trunk_;
   std::array<HandFrame, 2> frames_;
 };
 

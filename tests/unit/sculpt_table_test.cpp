@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+// Broken tables are refused with their line.
+#include "sculpt/measurements.h"
+
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <iterator>
+#include <string>
+#include <unistd.h>
+
+namespace auslan {
+namespace {
+
+std::string shipped_table() {
+  std::ifstream file(std::string(AUSLANJAM_SOURCE_DIR) + "/assets/figure/measurements.toml");
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+Result<Measurements> read(const std::string& text) {
+  const auto path = std::filesystem::temp_directory_path() / ("sculpt_table_" + std::to_string(::getpid()) + ".toml");
+  std::ofstream(path) << text;
+  auto result = read_measurements(path);
+  std::filesystem::remove(path);
+  return result;
+}
+
+std::string with(std::string text, const std::string& what, const std::string& by) {
+  const size_t at = text.find(what);
+  EXPECT_NE(at, std::string::npos) << what;
+  return text.replace(at, what.size(), by);
+}
+
+TEST(SculptTable, TheShippedTableIsRead) {
+  EXPECT_TRUE(read(shipped_table()));
+}
+
+TEST(SculptTable, AMissingFileIsNamed) {
+  const auto result = read_measurements("no-such-table.toml");
+  ASSERT_FALSE(result);
+  EXPECT_NE(to_string(result.error()).find("no-such-table.toml"), std::string::npos);
+}
+
+TEST(SculptTable, BrokenTomlIsRefusedWithItsLine) {
+  const auto result = read("name = \"x\"\nforearm = = 3\n");
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, ErrorCode::kMalformed);
+  EXPECT_NE(result.error().place.find(":2"), std::string::npos) << result.error().place;
+}
+
+TEST(SculptTable, AMissingKeyIsNamed) {
+  const auto result = read(with(shipped_table(), "\nforearm ", "\n# forearm "));
+  ASSERT_FALSE(result);
+  EXPECT_NE(result.error().message.find("forearm"), std::string::npos);
+}
+
+TEST(SculptTable, AnUnknownKeyIsRefused) {
+  const auto result = read(with(shipped_table(), "\nforearm ", "\nforarm = 1\nforearm "));
+  ASSERT_FALSE(result);
+  EXPECT_NE(to_string(result.error()).find("forarm"), std::string::npos);
+}
+
+TEST(SculptTable, AWrongTypeAndAnAbsurdLengthAreRefused) {
+  for (const char* value : {"\nforearm = \"long\" #", "\nforearm = -5 #", "\nforearm = 1e9 #", "\nforearm = nan #"}) {
+    const auto result = read(with(shipped_table(), "\nforearm ", std::string(value)));
+    ASSERT_FALSE(result) << value;
+    EXPECT_NE(to_string(result.error()).find("forearm"), std::string::npos) << value;
+  }
+}
+
+}  // namespace
+}  // namespace auslan
