@@ -68,14 +68,17 @@ void WrittenHand::merge(const WrittenHand& more) {
   if (empty()) mark = more.mark;
   if (more.shape) {
     shape = more.shape;
+    shape_mark = more.mark;
     second_shape = more.second_shape;
   }
   if (!more.fingers.empty()) {
     fingers = more.fingers;
+    fingers_mark = more.mark;
     second_fingers = more.second_fingers;
   }
   if (!more.palm.empty()) {
     palm = more.palm;
+    palm_mark = more.mark;
     second_palm = more.second_palm;
   }
 }

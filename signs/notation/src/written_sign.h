@@ -55,6 +55,7 @@ struct WrittenShape {
 
 struct WrittenHand {
   Mark mark;
+  Mark shape_mark, fingers_mark, palm_mark;  ///< where each was written last; set by merge()
   std::optional<WrittenShape> shape, second_shape;
   std::string fingers, second_fingers;  ///< extended finger direction letters
   std::string palm, second_palm;        ///< palm letters
