@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The motion of the shipped signs on the shipped figure, against the project's quality limits.
-#include "kinematics/figure_file.h"
 #include "kinematics/rotation.h"
-#include "lexicon/lexicon.h"
+#include "shipped.h"
 #include "synthesis/choreography.h"
 #include "synthesis/performance.h"
 
@@ -16,37 +15,6 @@ namespace auslan {
 namespace {
 
 constexpr int kRate = 120;  // the rate at which the limits are measured
-
-/// Figure, signer and lexicon as the build ships them, opened once.
-struct Shipped {
-  Figure figure;
-  std::optional<Signer> signer;
-  std::optional<Lexicon> lexicon;
-};
-
-Shipped& shipped() {
-  static Shipped* loaded = [] {
-    auto* made = new Shipped;
-    const std::string folder = std::string(AUSLANJAM_BINARY_DIR) + "/share/auslanjam/";
-    made->figure = read_figure(folder + "signer.figure").value();
-    made->signer.emplace(Signer::build(made->figure).value());
-    made->lexicon.emplace(Lexicon::open(folder + "lexicon.sqlite").value());
-    return made;
-  }();
-  return *loaded;
-}
-
-Utterance utterance_of(const std::vector<std::string>& glosses) {
-  Shipped& s = shipped();
-  return compose(
-             translation_of_glosses(glosses), [&s](std::string_view gloss) { return s.lexicon->sign(gloss); },
-             [&s](std::string_view id) { return s.lexicon->handshape(id); })
-      .value();
-}
-
-Score score_of(const std::vector<std::string>& glosses) {
-  return choreograph(*shipped().signer, utterance_of(glosses)).value();
-}
 
 PerformanceOptions still() {
   PerformanceOptions options;

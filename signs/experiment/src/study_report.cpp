@@ -19,7 +19,7 @@ constexpr std::array<uint32_t, 3> kColours = {0xC0392B, 0x2471A3, 0x1E8449};
 constexpr std::array<int, 3> kDashes = {0, 0, 9};
 constexpr std::array<const char*, 2> kEndNames = {"90_270_90", "0_270_0"};
 constexpr std::array<const char*, 2> kEndTexts = {"(90°, 270°, 90°)", "(0°, 270°, 0°)"};
-constexpr int kPictureSize = 200, kPicturesInRow = 8;
+constexpr int kPictureWidth = 270, kPictureHeight = 200, kPicturesInRow = 8;
 
 std::string number(double value, int digits) {
   char text[64];
@@ -54,15 +54,16 @@ LinePlot plot_of(const std::vector<StudyRun>& runs, int end, bool velocity) {
 /// A row a method and end: the figure's right arm at evenly spaced frames.
 Result<Picture> picture_strip(const Figure& figure, const std::vector<StudyRun>& runs, const CaptionPainter& text) {
   StageOptions options;
-  options.width = options.height = kPictureSize;
+  options.width = kPictureWidth;
+  options.height = kPictureHeight;
   options.camera = CameraName::kThreeQuarter;
   options.background = 0xE6EAED;
   auto stage = Stage::build(figure, options);
   if (!stage) return tl::unexpected(stage.error());
   const int label_width = 250;
-  Picture strip =
-      make_picture(label_width + kPicturesInRow * kPictureSize, static_cast<int>(runs.size()) * kPictureSize, 0xFFFFFF);
-  Picture tile = make_picture(kPictureSize, kPictureSize);
+  Picture strip = make_picture(label_width + kPicturesInRow * kPictureWidth,
+                               static_cast<int>(runs.size()) * kPictureHeight, 0xFFFFFF);
+  Picture tile = make_picture(kPictureWidth, kPictureHeight);
   Pose pose = rest_pose(figure.skeleton);
   const ArmNodes left = arm_nodes(figure.skeleton, Side::kLeft), right = arm_nodes(figure.skeleton, Side::kRight);
   // The left arm hangs; the right arm's zero orientation is the one that puts the study's start at our rest pose, the
@@ -71,7 +72,7 @@ Result<Picture> picture_strip(const Figure& figure, const std::vector<StudyRun>&
   const Quat zero = glm::conjugate(from_euler(kStudyStart * kDegree, kPaperOrder));
   for (size_t row = 0; row < runs.size(); ++row) {
     const StudyRun& run = runs[row];
-    const int top = static_cast<int>(row) * kPictureSize;
+    const int top = static_cast<int>(row) * kPictureHeight;
     text.text(strip.span(), 8, top + 92, std::string(kMethodNames[static_cast<size_t>(run.method)]), 15, 0x20262B);
     text.text(strip.span(), 8, top + 116, std::string("to ") + kEndTexts[static_cast<size_t>(run.end)], 15, 0x20262B);
     for (int column = 0; column < kPicturesInRow; ++column) {
@@ -79,11 +80,11 @@ Result<Picture> picture_strip(const Figure& figure, const std::vector<StudyRun>&
       pose.rotation[static_cast<size_t>(right.shoulder)] = run.orientation[static_cast<size_t>(frame)] * zero;
       stage->render(pose, tile.span().pixels);
       text.text(tile.span(), 8, 18, std::to_string(frame), 13, 0x20262B);
-      for (int y = 0; y < kPictureSize; ++y)
-        for (int x = 0; x < kPictureSize; ++x)
+      for (int y = 0; y < kPictureHeight; ++y)
+        for (int x = 0; x < kPictureWidth; ++x)
           strip.pixels[static_cast<size_t>(top + y) * static_cast<size_t>(strip.width) +
-                       static_cast<size_t>(label_width + column * kPictureSize + x)] =
-              tile.pixels[static_cast<size_t>(y * kPictureSize + x)];
+                       static_cast<size_t>(label_width + column * kPictureWidth + x)] =
+              tile.pixels[static_cast<size_t>(y * kPictureWidth + x)];
     }
   }
   return strip;
