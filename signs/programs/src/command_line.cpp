@@ -81,6 +81,9 @@ void add_source(CLI::App& app, Options& options) {
       ->type_name("GLOSS");
   app.add_option("--motion", options.source.motion_file, "A motion file (.jsonl) to play in place of TEXT")
       ->type_name("FILE");
+  app.add_option("--sigml", options.source.sigml_file, "The signs of a SiGML file in place of TEXT")->type_name("FILE");
+  app.add_option("--hamnosys", options.source.hamnosys, "A sign in HamNoSys (symbols or their names) in place of TEXT")
+      ->type_name("STRING");
 }
 
 void add_performance(CLI::App& app, Options& options) {
@@ -146,21 +149,22 @@ bool is_blank(const std::string& text) {
 /// What only makes sense together.
 std::string check(const Options& options) {
   const Source& source = options.source;
-  const int sources = (source.text ? 1 : 0) + (source.glosses.empty() ? 0 : 1) + (source.motion_file ? 1 : 0);
+  const int sources = (source.text ? 1 : 0) + (source.glosses.empty() ? 0 : 1) + (source.motion_file ? 1 : 0) +
+                      (source.sigml_file ? 1 : 0) + (source.hamnosys ? 1 : 0);
   switch (options.command) {
     case Command::kSign:
     case Command::kRender:
     case Command::kMotion:
     case Command::kTranslate:
       if (sources == 0) return "there is no TEXT to sign: give English in quotes, as auslanjam \"Where does it hurt?\"";
-      if (sources > 1) return "give only one of TEXT, --gloss and --motion";
+      if (sources > 1) return "give only one of TEXT, --gloss, --sigml, --hamnosys and --motion";
       if (source.text && is_blank(*source.text)) return "the TEXT is empty: give English to sign";
       break;
     default:
       break;
   }
-  if (options.command == Command::kTranslate && source.motion_file)
-    return "translate takes TEXT; --motion has no English";
+  if (options.command == Command::kTranslate && !source.text && source.glosses.empty())
+    return "translate takes TEXT or --gloss; motions and notations hold no English";
   if (options.command == Command::kRender && options.output.empty() && !options.hash)
     return "render needs -o OUTPUT (.mp4 .webm .webp .gif .y4m .png) or --hash";
   if (options.command == Command::kMotion && options.output.empty()) return "motion needs -o OUTPUT (.jsonl or .bvh)";

@@ -2,6 +2,7 @@
 // The program: one command line, one command, one exit status.
 #include "command_line.h"
 #include "commands.h"
+#include "stop_request.h"
 
 #include <cstdio>
 #include <exception>
@@ -55,6 +56,7 @@ int main(int argc, char** argv) {
   try {
     const auto parsed = auslan::parse_command_line(argc, argv);
     if (const auto* exit_now = std::get_if<auslan::ExitNow>(&parsed)) return exit_now->status;
+    auslan::watch_for_stop();
     const auto done = run(std::get<auslan::Options>(parsed));
     if (done) return 0;
     std::cerr << "auslanjam: " << to_string(done.error()) << '\n';

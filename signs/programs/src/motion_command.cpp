@@ -5,6 +5,7 @@
 #include "media/motion_file.h"
 #include "progress.h"
 #include "session.h"
+#include "stop_request.h"
 
 #include <algorithm>
 #include <vector>
@@ -30,6 +31,7 @@ Result<void> run_motion(const Options& options) {
   Pose pose;
   std::vector<Transform> world(static_cast<size_t>((*figure)->skeleton.size()));
   for (int64_t i = 0; i < count; ++i) {
+    if (stop_requested()) return stopped();
     const Tick time = options.at ? std::min(ticks(*options.at), show->end) : frame_time(i, options.fps);
     show->sample(time, pose);
     forward((*figure)->skeleton, pose, world);

@@ -18,6 +18,8 @@ struct Source {
   std::optional<std::string> text;
   std::vector<std::string> glosses;
   std::optional<std::string> motion_file;
+  std::optional<std::string> sigml_file;
+  std::optional<std::string> hamnosys;
 };
 
 struct Options {

@@ -6,6 +6,7 @@
 #include "media/window.h"
 #include "progress.h"
 #include "session.h"
+#include "stop_request.h"
 
 #include <algorithm>
 #include <cctype>
@@ -19,7 +20,7 @@ namespace {
 
 /// Draws frames in order, several at once, and hands each to `take`.
 template <typename Take>
-Result<void> make_frames(const Figure& figure, const Show& show, const FrameOptions& options, int fps, int threads,
+Result<void> make_frames(const Figure& figure, const Show& show, const FrameOptions& options, int threads,
                          const std::vector<Tick>& times, Progress& progress, Take take) {
   const auto count = static_cast<int64_t>(times.size());
   const auto workers = static_cast<size_t>(std::clamp<int64_t>(threads, 1, count));
@@ -31,8 +32,8 @@ Result<void> make_frames(const Figure& figure, const Show& show, const FrameOpti
     makers.push_back(std::move(*maker));
     frames.push_back(make_picture(options.stage.width, options.stage.height));
   }
-  (void)fps;
   for (int64_t first = 0; first < count; first += static_cast<int64_t>(workers)) {
+    if (stop_requested()) return stopped();
     const auto batch = static_cast<size_t>(std::min<int64_t>(static_cast<int64_t>(workers), count - first));
     const auto draw = [&](size_t i) { makers[i].make(times[static_cast<size_t>(first) + i], frames[i].span()); };
     std::vector<std::thread> others;
@@ -101,7 +102,7 @@ Result<void> render_to(const Options& options, Session& session, const Show& sho
   frames.caption = caption;
   std::string digests;
   Progress progress("drawing", static_cast<int64_t>(times.size()), options.quiet);
-  auto made = make_frames(**figure, show, frames, options.fps, options.threads, times, progress,
+  auto made = make_frames(**figure, show, frames, options.threads, times, progress,
                           [&](int64_t index, FrameView frame) -> Result<void> {
                             if (options.hash) digests += std::to_string(index) + " " + frame_digest(frame) + "\n";
                             return sink ? sink->write(frame) : Result<void>();
@@ -154,7 +155,7 @@ Result<void> play(const Options& options, Session& session, const Show& show) {
   const int64_t count = frame_count(show, options.fps);
   int64_t index = 0, paced = 0;
   bool paused = false, dirty = true;
-  while (true) {
+  while (!stop_requested()) {
     for (const WindowEvent event : window->poll()) {
       switch (event) {
         case WindowEvent::kQuit:
@@ -196,6 +197,7 @@ Result<void> play(const Options& options, Session& session, const Show& show) {
       paused = paused || index + 1 >= count;
     }
   }
+  return {};
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include "gltf/figure_gltf.h"
 #include "kinematics/figure_file.h"
 #include "media/motion_file.h"
+#include "notation/notation.h"
 #include "synthesis/choreography.h"
 #include "translate/translator.h"
 
@@ -37,11 +38,17 @@ Error as_usage(Error error) {
   return error;
 }
 
+tl::unexpected<Error> too_long(const std::string& what) {
+  return fail(ErrorCode::kLimit, "this text is too long to sign in one piece (" + what +
+                                     "); the most is 45 minutes of signing: give it in parts");
+}
+
 Result<TranslatorData> translator_data(const Lexicon& lexicon) {
   TranslatorData data;
   const auto entries = lexicon.list();
   if (!entries) return tl::unexpected(entries.error());
-  for (const SignSummary& entry : *entries) data.entries.push_back({entry.gloss, entry.confidence, entry.review});
+  for (const SignSummary& entry : *entries)
+    data.entries.push_back({entry.gloss, entry.confidence, entry.review});
   data.phrases = lexicon.phrases();
   data.keywords = lexicon.keywords();
   auto forms = read_wordnet_exceptions();
@@ -125,10 +132,62 @@ Result<Show> Session::show_of_motion_file() {
   return show;
 }
 
-Result<Show> Session::show() {
-  if (options_.source.motion_file) return show_of_motion_file();
+Result<Session::Spoken> Session::notated() {
+  std::vector<NotatedSign> signs;
+  std::string source = "HamNoSys";
+  if (options_.source.sigml_file) {
+    source = *options_.source.sigml_file;
+    auto read = read_sigml(source);
+    if (!read) return tl::unexpected(read.error());
+    signs = std::move(*read);
+  } else {
+    auto parsed = parse_hamnosys(*options_.source.hamnosys);
+    if (!parsed) return tl::unexpected(as_usage(parsed.error()));
+    signs.push_back(std::move(*parsed));
+  }
+  Spoken spoken;
+  for (const NotatedSign& notated : signs) {
+    for (const Diagnostic& diagnostic : notated.diagnostics)
+      if (diagnostic.grade != Diagnostic::Grade::kNote)
+        spoken.warnings.push_back(source + ":" + to_string(diagnostic) + " (in " + notated.sign.gloss + ")");
+    if (!notated.signable)
+      return fail(ErrorCode::kUnsupported,
+                  "the sign " + notated.sign.gloss +
+                      " cannot be signed: " + (spoken.warnings.empty() ? "it has no posture" : spoken.warnings.back()),
+                  source);
+    Unit unit;
+    unit.sign = notated.sign;
+    unit.label = notated.sign.gloss;
+    unit.mouthing = notated.sign.non_manual.mouthing;
+    spoken.utterance.units.push_back(std::move(unit));
+    for (const Handshape& shape : notated.handshapes)
+      spoken.utterance.handshapes.emplace(shape.id, shape);
+  }
+  spoken.utterance.sentences = {source};
+  spoken.utterance.all_reviewed = false;
+  return spoken;
+}
+
+Result<Session::Spoken> Session::spoken() {
+  if (options_.source.sigml_file || options_.source.hamnosys) return notated();
   const auto translation = this->translation();
   if (!translation) return tl::unexpected(translation.error());
+  size_t units = 0;
+  for (const Item& item : translation->items)
+    units += item.glosses.size();
+  if (units > kMostUnits) return too_long(std::to_string(units) + " signs and letters");
+  auto utterance = compose(
+      *translation, [this](std::string_view gloss) { return lexicon_->sign(gloss); },
+      [this](std::string_view id) { return lexicon_->handshape(id); });
+  if (!utterance) return tl::unexpected(utterance.error());
+  return Spoken{std::move(*utterance), translation->warnings};
+}
+
+Result<Show> Session::show() {
+  if (options_.source.motion_file) return show_of_motion_file();
+  const auto spoken = this->spoken();
+  if (!spoken) return tl::unexpected(spoken.error());
+  const Utterance& utterance = spoken->utterance;
   const auto figure = this->figure();
   if (!figure) return tl::unexpected(figure.error());
   if (!signer_) {
@@ -136,30 +195,18 @@ Result<Show> Session::show() {
     if (!signer) return tl::unexpected(signer.error());
     signer_.emplace(std::move(*signer));
   }
-  size_t units = 0;
-  for (const Item& item : translation->items)
-    units += item.glosses.size();
-  const auto too_long = [](const std::string& what) {
-    return fail(ErrorCode::kLimit, "this text is too long to sign in one piece (" + what +
-                                       "); the most is 45 minutes of signing: give it in parts");
-  };
-  if (units > kMostUnits) return too_long(std::to_string(units) + " signs and letters");
-  const auto utterance = compose(
-      *translation, [this](std::string_view gloss) { return lexicon_->sign(gloss); },
-      [this](std::string_view id) { return lexicon_->handshape(id); });
-  if (!utterance) return tl::unexpected(utterance.error());
-  auto score = choreograph(*signer_, *utterance, {options_.speed, 3.0, true});
+  auto score = choreograph(*signer_, utterance, {options_.speed, 3.0, true});
   if (!score) return tl::unexpected(score.error());
   if (seconds(score->end) > kLongestSeconds)
     return too_long("about " + std::to_string(static_cast<int>(seconds(score->end) / 60)) + " minutes");
   Show show;
   show.end = score->end;
   show.glosses = score->glosses;
-  show.sentences = utterance->sentences;
+  show.sentences = utterance.sentences;
   for (const GlossSpan& gloss : show.glosses)
-    show.sentence_of_gloss.push_back(utterance->units[static_cast<size_t>(gloss.unit)].sentence);
-  show.reviewed = utterance->all_reviewed;
-  show.warnings = translation->warnings;
+    show.sentence_of_gloss.push_back(utterance.units[static_cast<size_t>(gloss.unit)].sentence);
+  show.reviewed = utterance.all_reviewed;
+  show.warnings = spoken->warnings;
   const auto performance = std::make_shared<const Performance>(
       *signer_, std::move(*score), PerformanceOptions{options_.left_handed, options_.idle, options_.seed});
   show.sample = [performance](Tick time, Pose& pose) { performance->sample(time, pose); };

@@ -40,6 +40,13 @@ class Session {
   Result<Show> show();
 
  private:
+  /// What is to be performed, and what has to be said about it.
+  struct Spoken {
+    Utterance utterance;
+    std::vector<std::string> warnings;
+  };
+  Result<Spoken> spoken();
+  Result<Spoken> notated();
   Result<Show> show_of_motion_file();
 
   const Options& options_;
