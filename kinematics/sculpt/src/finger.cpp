@@ -17,8 +17,8 @@ const DigitMeasurements& measures_of(const Measurements& table, int digit) {
 }
 
 /// Half the breadth of a digit at a joint; beyond the last joint, at the tip.
-double half_breadth(const DigitMeasurements& m, int joint) {
-  return joint < 3 ? 0.5 * m.breadths[static_cast<size_t>(joint)] : 0.43 * m.breadths[2];
+double half_breadth(const DigitMeasurements& m, size_t joint) {
+  return joint < 3 ? 0.5 * m.breadths[joint] : 0.43 * m.breadths[2];
 }
 
 }  // namespace
@@ -34,12 +34,13 @@ Mesh sculpt_phalanx(const Measurements& table, int digit, int bone) {
   const DigitLine line = digit_line(table, digit);
   const bool thumb = digit == 0;
   const bool last = bone == 2;
+  const auto joint = static_cast<size_t>(bone);
   const Vec3 along = line.direction;
   const Vec3 back = line.back;
   const Vec3 side = glm::cross(along, back);
-  const double bone_length = m.bones[static_cast<size_t>(bone)] + (last ? m.tip : 0.0);
-  const double near = half_breadth(m, bone);
-  const double far = half_breadth(m, bone + 1);
+  const double bone_length = m.bones[joint] + (last ? m.tip : 0.0);
+  const double near = half_breadth(m, joint);
+  const double far = half_breadth(m, joint + 1);
   // A cap that lies inside its parent's must be the smaller of the two, or both surfaces flicker through each other.
   const double root = bone == 0 ? (thumb ? 0.94 : 0.9) * near : 0.965 * near;
   const double waist = (bone == 0 && thumb) ? mix(near, far, 0.62) : mix(near, far, 0.5) * (last ? 1.0 : 0.945);
