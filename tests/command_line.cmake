@@ -29,3 +29,8 @@ foreach(_name ${_names})
   set_tests_properties(frames_older_processor.${_name} PROPERTIES ENVIRONMENT GLIBC_TUNABLES=glibc.cpu.hwcaps=-FMA,-AVX2)
   set_tests_properties(frames.${_name} frames_older_processor.${_name} PROPERTIES LABELS determinism TIMEOUT 1200)
 endforeach()
+
+# Every command of the README, in its order.
+add_test(NAME readme.commands COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/unit/readme_commands.sh $<TARGET_FILE:auslanjam>
+  ${PROJECT_SOURCE_DIR}/README.md)
+set_tests_properties(readme.commands PROPERTIES LABELS unit TIMEOUT 1200)
