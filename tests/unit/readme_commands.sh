@@ -12,6 +12,7 @@ unset DISPLAY WAYLAND_DISPLAY
 count=0
 while read -r line; do
   count=$((count + 1))
+  arguments=()
   eval "arguments=(${line#./auslanjam })"
   if ! "$program" "${arguments[@]}" >out 2>err </dev/null; then
     printf 'failed: %s\n' "$line"
