@@ -148,6 +148,20 @@ TEST(Motion, NothingReturnsToRestInsideASentence) {
   }
 }
 
+TEST(Motion, TheBaseHandIsLoweredAfterASentenceThatTheNextSignDoesNotNeedItFor) {
+  Utterance utterance = utterance_of({"DOCTOR", "HURT", "DOCTOR"});
+  Unit pause;
+  pause.pause_seconds = 0.5;
+  utterance.units.insert(utterance.units.begin() + 1, pause);
+  const Score score = choreograph(*shipped().signer, utterance).value();
+  const double low = shipped().signer->rest(Side::kLeft).wrist.position.y;
+  const Tick during = (score.glosses[1].begin + score.glosses[1].end) / 2;
+  for (const HandSegment& segment : score.hands[static_cast<size_t>(Side::kLeft)]) {
+    if (segment.begin > during || segment.end <= during) continue;
+    EXPECT_NEAR(state_at(segment, during).wrist.position.y, low, 0.01);
+  }
+}
+
 TEST(Motion, SpelledLettersKeepThePaceAndTheirHold) {
   Translation t;
   t.english = "kim";

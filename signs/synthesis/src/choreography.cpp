@@ -42,6 +42,8 @@ class Choreographer {
   bool uses_left(size_t unit) const;
   void stay(size_t side, Tick until);
   void move(size_t side, Tick until, const HandState& to, const Vec3& bulge, double digits_lead);
+  /// Brings the base hand down from where it is, beginning with what was not yet laid out since `since`.
+  void lower_left(Tick since, const HandState& low);
   void transition(const SignPerformance& performance, const Unit& unit);
   void add_beats(const SignPerformance& performance, const Unit& unit);
   void add_mouthing(const Unit& unit, Span span);
@@ -84,6 +86,12 @@ void Choreographer::move(size_t side, Tick until, const HandState& to, const Vec
   segment.digits_lead = digits_lead;
   track.push_back(segment);
   hand_[side] = to;
+}
+
+void Choreographer::lower_left(Tick since, const HandState& low) {
+  move(kLeft, std::max(now_, since + scaled(stroke::kLongestTransition)), low, Vec3(0, 0, 0.04), 1.0);
+  now_ = std::max(now_, score_.hands[kLeft].back().end);
+  raised_[kLeft] = false;
 }
 
 void Choreographer::transition(const SignPerformance& performance, const Unit& unit) {
@@ -229,6 +237,9 @@ Result<Score> Choreographer::run() {
     if (!unit.sign) {
       const Tick begin = now_;
       now_ += scaled(unit.pause_seconds);
+      // At the end of a sentence the base hand is lowered, unless the next sign begins with it.
+      const bool base_waits = i + 1 < utterance_.units.size() && uses_left(i + 1);
+      if (unit.pause_seconds >= stroke::kSentencePause && raised_[kLeft] && !base_waits) lower_left(begin, low_left);
       stay(kLeft, now_);
       stay(kRight, now_);
       spans_.push_back({begin, now_});
@@ -250,10 +261,8 @@ Result<Score> Choreographer::run() {
       if (soon) {
         stay(kLeft, now_);
       } else {
-        move(kLeft, std::max(now_, before + scaled(stroke::kLongestTransition)), low_left, Vec3(0, 0, 0.04), 1.0);
-        now_ = std::max(now_, score_.hands[kLeft].back().end);
+        lower_left(before, low_left);
         stay(kRight, now_);
-        raised_[kLeft] = false;
       }
     } else {
       stay(kLeft, now_);

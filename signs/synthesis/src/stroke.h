@@ -18,6 +18,7 @@ inline constexpr double kLetterHold = 0.15;
 inline constexpr double kShortestTransition = 0.17;
 inline constexpr double kLongestTransition = 0.45;
 inline constexpr double kFromRest = 0.50;  ///< raising the hands at the start, lowering them at the end
+inline constexpr double kSentencePause = 0.4;  ///< a pause at least this long ends a sentence
 inline constexpr double kQuestionHold = 0.30;
 inline constexpr double kBrowOnset = 0.18;
 inline constexpr double kBrowRelease = 0.25;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "synthesis/utterance.h"
 
+#include "stroke.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -19,9 +21,6 @@ Result<void> add_handshapes(const std::vector<Posture>& postures, const Handshap
   return {};
 }
 
-/// A pause at least this long ends a sentence, and with it a caption.
-constexpr double kSentencePause = 0.4;
-
 /// The sentence of each item, and the English of each sentence: the text from its first word to the next one's.
 std::vector<int> split_sentences(const Translation& translation, std::vector<std::string>& sentences) {
   std::vector<int> of_item;
@@ -29,7 +28,7 @@ std::vector<int> split_sentences(const Translation& translation, std::vector<std
   bool open = false;
   for (const Item& item : translation.items) {
     if (item.kind == ItemKind::kPause) {
-      if (item.pause_seconds >= kSentencePause) open = false;
+      if (item.pause_seconds >= stroke::kSentencePause) open = false;
     } else {
       if (!open) begins.push_back(std::string::npos);
       open = true;
