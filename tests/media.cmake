@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 # Frames, clips, pictures, captions, the window and motion files.
 auslan_test(media_digest LABEL unit LIBRARIES auslan::frame)
-auslan_test(media_atomic_file LABEL unit LIBRARIES auslan::atomic_file)
 auslan_test(media_yuv LABEL unit LIBRARIES auslan::clip)
 auslan_test(media_clip LABEL unit LIBRARIES auslan::clip auslan::picture)
 auslan_test(media_picture LABEL unit LIBRARIES auslan::picture)

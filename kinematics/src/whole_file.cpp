@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kinematics/whole_file.h"
 
+#include "kinematics/atomic_file.h"
+
 #include <cerrno>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
-#include <utility>
 
 namespace auslan {
 namespace {
@@ -14,17 +15,14 @@ namespace {
 class FileDescriptor {
  public:
   explicit FileDescriptor(int number) : number_(number) {}
-  ~FileDescriptor() { close(); }
+  ~FileDescriptor() {
+    if (number_ >= 0) ::close(number_);
+  }
   FileDescriptor(const FileDescriptor&) = delete;
   FileDescriptor& operator=(const FileDescriptor&) = delete;
 
   int number() const { return number_; }
   bool is_open() const { return number_ >= 0; }
-  /// False if the system reports, as network disks do, that earlier writes failed.
-  bool close() {
-    const int number = std::exchange(number_, -1);
-    return number < 0 || ::close(number) == 0;
-  }
 
  private:
   int number_;
@@ -32,26 +30,6 @@ class FileDescriptor {
 
 std::string reason(int error) {
   return std::generic_category().message(error);
-}
-
-tl::unexpected<Error> cannot_write(const std::filesystem::path& path, int error) {
-  if (error == ENOSPC || error == EDQUOT)
-    return fail(ErrorCode::kUnwritable, "the disk is full; free some space or choose another folder, then try again",
-                path.string());
-  return fail(ErrorCode::kUnwritable,
-              "cannot write the file (" + reason(error) + "); choose a folder that exists and may be written",
-              path.string());
-}
-
-/// 0, or the errno of the write that failed.
-int write_all(int descriptor, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t count = ::write(descriptor, bytes.data(), bytes.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) return count == 0 ? ENOSPC : errno;
-    bytes.remove_prefix(static_cast<size_t>(count));
-  }
-  return 0;
 }
 
 }  // namespace
@@ -95,25 +73,10 @@ Result<void> write_whole_file(const std::filesystem::path& path, std::string_vie
   if (std::filesystem::exists(before) && !std::filesystem::is_regular_file(before))
     return fail(ErrorCode::kUnwritable, "a folder, a pipe or a device stands there; choose another name",
                 path.string());
-
-  std::filesystem::path temporary = path;
-  temporary += ".part" + std::to_string(::getpid());
-  ::unlink(temporary.c_str());  // left by a crashed process of the same number
-  FileDescriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-  if (!file.is_open()) return cannot_write(path, errno);
-  int error = write_all(file.number(), bytes);
-  if (error == 0 && ::fsync(file.number()) != 0) error = errno;
-  if (!file.close() && error == 0) error = errno;
-  if (error == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) error = errno;
-  if (error != 0) {
-    ::unlink(temporary.c_str());
-    return cannot_write(path, error);
-  }
-  // The rename itself lives in the folder. Some file systems cannot sync folders; the file is whole either way.
-  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-  FileDescriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (directory.is_open()) ::fsync(directory.number());
-  return {};
+  auto file = AtomicFile::create(path.string());
+  if (!file) return tl::unexpected(file.error());
+  if (auto written = file->write(bytes); !written) return written;
+  return file->commit();
 }
 
 }  // namespace auslan

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "media/caption.h"
-#include "media_scratch.h"
+#include "scratch_folder.h"
 
 #include <algorithm>
 #include <cstdlib>

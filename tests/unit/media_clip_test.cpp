@@ -2,7 +2,7 @@
 #include "media/clip.h"
 #include "media/picture.h"
 #include "media/picture_module.h"
-#include "media_scratch.h"
+#include "scratch_folder.h"
 
 #include <gtest/gtest.h>
 #include <signal.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "media/frame.h"
-#include "media_scratch.h"
+#include "scratch_folder.h"
 
 #include <gtest/gtest.h>
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "media/motion_file.h"
-#include "media_scratch.h"
+#include "scratch_folder.h"
 
 #include <array>
 #include <cmath>

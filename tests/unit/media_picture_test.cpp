@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "media/picture.h"
 #include "media/picture_module.h"
-#include "media_scratch.h"
+#include "scratch_folder.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "media/picture.h"
 #include "media/picture_module.h"
 #include "media/window.h"
-#include "media_scratch.h"
+#include "scratch_folder.h"
 
 #include <SDL2/SDL.h>
 #include <algorithm>

@@ -18,7 +18,7 @@ Result<std::string> read_whole_file(const std::filesystem::path& path, uint64_t 
 
 /// Replaces `path` by a file of these bytes: a temporary beside it, fsync, rename, fsync of the folder. After an error
 /// the temporary is gone and what stood at `path` is untouched.
-/// Errors: kUnwritable (the message says so when the disk is full). `place` is the path.
+/// Errors: kUnwritable; the message names the path and the reason, a full disk for one.
 Result<void> write_whole_file(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace auslan

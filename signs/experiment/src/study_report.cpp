@@ -3,8 +3,8 @@
 
 #include "experiment/line_plot.h"
 #include "kinematics/anatomy.h"
+#include "kinematics/atomic_file.h"
 #include "kinematics/elementary.h"
-#include "media/atomic_file.h"
 #include "stage/stage.h"
 
 #include <array>

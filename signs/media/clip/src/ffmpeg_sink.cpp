@@ -2,7 +2,7 @@
 // Clips through the ffmpeg program. It is given planes in Y'CbCr that we computed ourselves, so that no conversion of
 // its own (which differs between processors) touches the colours.
 #include "encoder_process.h"
-#include "media/atomic_file.h"
+#include "kinematics/atomic_file.h"
 #include "media/yuv.h"
 #include "sinks.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Clips that the picture module encodes in memory: an animated GIF, a numbered sequence of PNGs, one PNG.
-#include "media/atomic_file.h"
+#include "kinematics/atomic_file.h"
 #include "media/picture_module.h"
 #include "sinks.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // YUV4MPEG2: a line of text, then for each frame the word FRAME and its three planes. The matrix has no field in it;
 // readers assume BT.601.
-#include "media/atomic_file.h"
+#include "kinematics/atomic_file.h"
 #include "media/yuv.h"
 #include "sinks.h"
 

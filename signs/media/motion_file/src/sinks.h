@@ -2,7 +2,7 @@
 // The sinks behind open_motion, and the spelling of numbers that they share.
 #pragma once
 
-#include "media/atomic_file.h"
+#include "kinematics/atomic_file.h"
 #include "media/motion_file.h"
 
 #include <memory>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "media/picture.h"
 
-#include "media/atomic_file.h"
+#include "kinematics/atomic_file.h"
 #include "media/picture_module.h"
 
 #include <array>

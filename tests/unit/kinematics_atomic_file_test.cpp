@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "media/atomic_file.h"
-#include "media_scratch.h"
+#include "kinematics/atomic_file.h"
+#include "scratch_folder.h"
 
 #include <filesystem>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "media/atomic_file.h"
+#include "kinematics/atomic_file.h"
 
 #include <array>
 #include <cerrno>
