@@ -69,10 +69,10 @@ inline GlbDocument open_glb(const std::string& glb) {
 }
 
 inline std::string glb_bytes(const Figure& figure) {
-  const ScratchFolder folder("glb");
+  const ScratchFolder folder;
   const auto written = write_gltf(figure, folder / "figure.glb");
   if (!written) throw std::runtime_error(to_string(written.error()));
-  return read_bytes(folder / "figure.glb");
+  return bytes_of(folder / "figure.glb");
 }
 
 inline Result<Figure> parse_text(const std::string& bytes, const std::filesystem::path& folder = {}) {

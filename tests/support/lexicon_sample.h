@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lexicon/lexicon_text.h"
+#include "scratch_folder.h"
 
 #include <atomic>
 #include <filesystem>
@@ -82,40 +83,6 @@ inline std::vector<TextSource> sample_sources() {
           {"numbers.toml", "number = []\n"},
           {"signs/health.toml", sample_sign()},
           {"phrases.toml", sample_phrases()}};
-}
-
-/// A folder of its own for each test, removed at the end.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    static std::atomic<int> next{0};
-    const auto* info = ::testing::UnitTest::GetInstance()->current_test_info();
-    path_ = std::filesystem::temp_directory_path() /
-            (std::string("auslan_") + info->test_suite_name() + "_" + info->name() + "_" + std::to_string(next++));
-    std::filesystem::remove_all(path_);
-    std::filesystem::create_directories(path_);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  ~ScratchFolder() {
-    std::error_code error;
-    std::filesystem::remove_all(path_, error);
-  }
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
-inline std::string read_bytes(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
-inline void write_bytes(const std::filesystem::path& path, const std::string& bytes) {
-  std::ofstream file(path, std::ios::binary | std::ios::trunc);
-  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
 }
 
 /// The canonical text of a lexicon as one string: equal strings mean equal models.

@@ -28,7 +28,8 @@ class ScratchFolder {
   ScratchFolder(const ScratchFolder&) = delete;
   ScratchFolder& operator=(const ScratchFolder&) = delete;
 
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
 
   /// Names of all that is in it, hidden files too, in order.
   std::vector<std::string> contents() const {
@@ -43,12 +44,12 @@ class ScratchFolder {
   std::filesystem::path path_;
 };
 
-inline std::string bytes_of(const std::string& path) {
+inline std::string bytes_of(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-inline void put_bytes(const std::string& path, const std::string& bytes) {
+inline void put_bytes(const std::filesystem::path& path, const std::string& bytes) {
   std::ofstream(path, std::ios::binary) << bytes;
 }
 

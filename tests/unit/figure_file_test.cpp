@@ -16,11 +16,8 @@ namespace auslan {
 namespace {
 
 using test::difference;
-using test::read_bytes;
 using test::sample_figure;
-using test::ScratchFolder;
 using test::tiny_figure;
-using test::write_bytes;
 
 Result<Figure> parse(const std::string& bytes) {
   return parse_figure(std::as_bytes(std::span(bytes)));
@@ -58,7 +55,7 @@ void expect_malformed(const std::string& bytes, ErrorCode code = ErrorCode::kMal
 }
 
 TEST(FigureFile, GivesTheSameFigureBitForBit) {
-  const ScratchFolder folder("figure");
+  const ScratchFolder folder;
   const Figure figure = sample_figure();
   const auto written = write_figure(figure, folder / "signer.figure");
   ASSERT_TRUE(written) << to_string(written.error());
@@ -134,7 +131,7 @@ TEST(FigureFile, FiguresThatBreakTheirContract) {
     ASSERT_FALSE(checked);
     EXPECT_EQ(checked.error().place, "head_base");
     expect_malformed(serialise_figure(figure));
-    const ScratchFolder folder("figure");
+    const ScratchFolder folder;
     EXPECT_FALSE(write_figure(figure, folder / "signer.figure"));
     EXPECT_FALSE(std::filesystem::exists(folder / "signer.figure"));
   };
@@ -164,23 +161,23 @@ TEST(FigureFile, ContractsThatOnlyMemoryCanBreak) {
 }
 
 TEST(FigureFile, FilesThatCannotBeRead) {
-  const ScratchFolder folder("figure");
+  const ScratchFolder folder;
   const auto code_of = [](const std::filesystem::path& path) { return read_figure(path).error().code; };
   EXPECT_EQ(code_of(folder / "missing.figure"), ErrorCode::kNotFound);
   EXPECT_EQ(code_of(folder.path()), ErrorCode::kUnreadable);
   ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
   EXPECT_EQ(code_of(folder / "pipe"), ErrorCode::kUnreadable);
-  write_bytes(folder / "huge.figure", "AJFIGURE");
+  put_bytes(folder / "huge.figure", "AJFIGURE");
   std::filesystem::resize_file(folder / "huge.figure", kMaxFigureFileBytes + 1);
   EXPECT_EQ(code_of(folder / "huge.figure"), ErrorCode::kLimit);
-  write_bytes(folder / "short.figure", "AJFIGURE");
+  put_bytes(folder / "short.figure", "AJFIGURE");
   const Error error = read_figure(folder / "short.figure").error();
   EXPECT_EQ(error.place, (folder / "short.figure").string() + ": byte 8");
 }
 
 TEST(FigureFile, FailedWriteKeepsTheOldFileAndLeavesNothingElse) {
-  const ScratchFolder folder("figure");
-  write_bytes(folder / "signer.figure", "old");
+  const ScratchFolder folder;
+  put_bytes(folder / "signer.figure", "old");
   // A limit on the size of files stands in for a disk that fills up halfway.
   ::rlimit before{};
   ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
@@ -192,12 +189,12 @@ TEST(FigureFile, FailedWriteKeepsTheOldFileAndLeavesNothingElse) {
   std::signal(SIGXFSZ, handler);
   ASSERT_FALSE(written);
   EXPECT_EQ(written.error().code, ErrorCode::kUnwritable);
-  EXPECT_EQ(read_bytes(folder / "signer.figure"), "old");
+  EXPECT_EQ(bytes_of(folder / "signer.figure"), "old");
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
 }
 
 TEST(FigureFile, PlacesThatCannotBeWritten) {
-  const ScratchFolder folder("figure");
+  const ScratchFolder folder;
   for (const std::filesystem::path& path :
        {folder / "missing/signer.figure", folder.path(), std::filesystem::path("/dev/null")}) {
     const auto written = write_figure(tiny_figure(), path);

@@ -62,9 +62,7 @@ using test::glb_bytes;
 using test::GlbDocument;
 using test::open_glb;
 using test::parse_text;
-using test::ScratchFolder;
 using test::tiny_figure;
-using test::write_bytes;
 
 class GltfHostile : public testing::Test {
  protected:
@@ -175,9 +173,9 @@ TEST_F(GltfHostile, GiganticImage) {
 }
 
 TEST_F(GltfHostile, UrisThatLeaveTheFolder) {
-  const ScratchFolder folder("gltf");
+  const ScratchFolder folder;
   std::filesystem::create_directory(folder / "inner");
-  write_bytes(folder / "outside.bin", document_.binary);
+  put_bytes(folder / "outside.bin", document_.binary);
   std::filesystem::create_symlink(folder / "outside.bin", folder / "inner/link.bin");
   const std::string absolute = (folder / "outside.bin").string();
   for (const std::string& uri :
@@ -195,7 +193,7 @@ TEST_F(GltfHostile, UrisThatLeaveTheFolder) {
 }
 
 TEST_F(GltfHostile, FilesThatAreNoFiles) {
-  const ScratchFolder folder("gltf");
+  const ScratchFolder folder;
   ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
   for (const std::filesystem::path& path : {folder / "pipe", folder.path(), std::filesystem::path("/dev/zero")}) {
     const auto read = read_gltf(path);
@@ -213,8 +211,8 @@ TEST_F(GltfHostile, FilesThatAreNoFiles) {
 }
 
 TEST_F(GltfHostile, FileBeyondTheLimit) {
-  const ScratchFolder folder("gltf");
-  write_bytes(folder / "huge.glb", "glTF");
+  const ScratchFolder folder;
+  put_bytes(folder / "huge.glb", "glTF");
   std::filesystem::resize_file(folder / "huge.glb", kMaxGltfBytes + 1);  // takes no space: a hole
   const auto read = read_gltf(folder / "huge.glb");
   ASSERT_FALSE(read);

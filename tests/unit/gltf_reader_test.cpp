@@ -15,9 +15,7 @@ using test::glb_bytes;
 using test::GlbDocument;
 using test::open_glb;
 using test::parse_text;
-using test::ScratchFolder;
 using test::tiny_figure;
-using test::write_bytes;
 
 class GltfReader : public testing::Test {
  protected:
@@ -45,11 +43,11 @@ std::string base64(const std::string& bytes) {
 }
 
 TEST_F(GltfReader, TextWithAnExternalBuffer) {
-  const ScratchFolder folder("gltf");
+  const ScratchFolder folder;
   std::filesystem::create_directory(folder / "parts");
   document_.json["buffers"][0]["uri"] = "parts/figure%20data.bin";
-  write_bytes(folder / "parts/figure data.bin", document_.binary);
-  write_bytes(folder / "figure.gltf", document_.json.dump());
+  put_bytes(folder / "parts/figure data.bin", document_.binary);
+  put_bytes(folder / "figure.gltf", document_.json.dump());
   const auto read = read_gltf(folder / "figure.gltf");
   ASSERT_TRUE(read) << to_string(read.error());
   EXPECT_EQ(difference(figure_, *read), "");

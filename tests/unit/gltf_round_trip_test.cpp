@@ -11,12 +11,10 @@ namespace {
 using test::difference;
 using test::GlbDocument;
 using test::open_glb;
-using test::read_bytes;
 using test::sample_figure;
-using test::ScratchFolder;
 
 TEST(GltfRoundTrip, GivesTheSameFigureBitForBit) {
-  const ScratchFolder folder("gltf");
+  const ScratchFolder folder;
   const Figure figure = sample_figure();
   const auto written = write_gltf(figure, folder / "figure.glb");
   ASSERT_TRUE(written) << to_string(written.error());
@@ -26,7 +24,7 @@ TEST(GltfRoundTrip, GivesTheSameFigureBitForBit) {
 }
 
 TEST(GltfRoundTrip, FigureWithoutAnyMeshIsAFigure) {
-  const ScratchFolder folder("gltf");
+  const ScratchFolder folder;
   Figure figure = sample_figure();
   for (Mesh& mesh : figure.segments)
     mesh = Mesh();
@@ -38,17 +36,17 @@ TEST(GltfRoundTrip, FigureWithoutAnyMeshIsAFigure) {
 }
 
 TEST(GltfWriter, WritesTheSameBytesAgain) {
-  const ScratchFolder folder("gltf");
+  const ScratchFolder folder;
   ASSERT_TRUE(write_gltf(sample_figure(), folder / "a.glb"));
   ASSERT_TRUE(write_gltf(sample_figure(), folder / "b.glb"));
-  EXPECT_EQ(read_bytes(folder / "a.glb"), read_bytes(folder / "b.glb"));
+  EXPECT_EQ(bytes_of(folder / "a.glb"), bytes_of(folder / "b.glb"));
 }
 
 // IEC 61966-2-1: C / 12.92 up to 0.04045, ((C + 0.055) / 1.055)^2.4 above.
 TEST(GltfWriter, ColoursAreLinearLight) {
-  const ScratchFolder folder("gltf");
+  const ScratchFolder folder;
   ASSERT_TRUE(write_gltf(sample_figure(), folder / "figure.glb"));
-  const GlbDocument document = open_glb(read_bytes(folder / "figure.glb"));
+  const GlbDocument document = open_glb(bytes_of(folder / "figure.glb"));
   const Figure figure = sample_figure();
   const Mesh& mesh = figure.segments[2];
   const auto& primitive = document.json["meshes"][1]["primitives"][0];
@@ -69,9 +67,9 @@ TEST(GltfWriter, ColoursAreLinearLight) {
 }
 
 TEST(GltfWriter, NamesMorphTargetsAsArkitDoesAndStoresThemSparse) {
-  const ScratchFolder folder("gltf");
+  const ScratchFolder folder;
   ASSERT_TRUE(write_gltf(sample_figure(), folder / "figure.glb"));
-  const GlbDocument document = open_glb(read_bytes(folder / "figure.glb"));
+  const GlbDocument document = open_glb(bytes_of(folder / "figure.glb"));
   const auto& mesh = document.json["meshes"][1];
   EXPECT_EQ(mesh["extras"]["targetNames"], nlohmann::json({"tongueOut", "jawOpen", "mouthPucker"}));
   const size_t target = mesh["primitives"][0]["targets"][0]["POSITION"].get<size_t>();
@@ -82,19 +80,19 @@ TEST(GltfWriter, NamesMorphTargetsAsArkitDoesAndStoresThemSparse) {
 }
 
 TEST(GltfWriter, RefusesAFigureThatBreaksItsContractAndLeavesTheOldFile) {
-  const ScratchFolder folder("gltf");
-  test::write_bytes(folder / "figure.glb", "old");
+  const ScratchFolder folder;
+  put_bytes(folder / "figure.glb", "old");
   Figure figure = sample_figure();
   figure.segments[2].indices[1] = 300;
   const auto written = write_gltf(figure, folder / "figure.glb");
   ASSERT_FALSE(written);
   EXPECT_EQ(written.error().code, ErrorCode::kMalformed);
   EXPECT_EQ(written.error().place, "head_base");
-  EXPECT_EQ(read_bytes(folder / "figure.glb"), "old");
+  EXPECT_EQ(bytes_of(folder / "figure.glb"), "old");
 }
 
 TEST(GltfWriter, RefusesNodesThatAreNotDepthFirst) {
-  const ScratchFolder folder("gltf");
+  const ScratchFolder folder;
   std::vector<Node> nodes = test::sample_nodes();
   nodes.push_back({.name = "jaw", .parent = 2, .offset = Vec3(0.0)});
   Figure figure;
@@ -106,7 +104,7 @@ TEST(GltfWriter, RefusesNodesThatAreNotDepthFirst) {
 }
 
 TEST(GltfWriter, RefusesNamesThatAreNotUtf8) {
-  const ScratchFolder folder("gltf");
+  const ScratchFolder folder;
   Figure figure = test::tiny_figure();
   figure.name = "\xFF";
   const auto written = write_gltf(figure, folder / "figure.glb");

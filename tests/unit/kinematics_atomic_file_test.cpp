@@ -70,7 +70,8 @@ TEST(AtomicFile, ALongNameIsNoObstacle) {
 TEST(AtomicFile, RefusesAFolderAMissingFolderAndAFileAsFolder) {
   const ScratchFolder folder;
   put_bytes(folder / "plain", "x");
-  for (const std::string& path : {folder / "", folder / "none/out", folder / "plain/out", std::string()}) {
+  for (const std::string& path :
+       {(folder / "").string(), (folder / "none/out").string(), (folder / "plain/out").string(), std::string()}) {
     const auto file = AtomicFile::create(path);
     ASSERT_FALSE(file) << path;
     EXPECT_EQ(file.error().code, ErrorCode::kUnwritable) << path;

@@ -10,17 +10,13 @@
 namespace auslan {
 namespace {
 
-using testing::read_bytes;
-using testing::ScratchFolder;
-using testing::write_bytes;
-
 class LexiconDamage : public ::testing::Test {
  protected:
   void SetUp() override {
     const LexiconReading reading = parse_lexicon_text(testing::sample_sources());
     ASSERT_TRUE(reading.problems.empty());
     ASSERT_TRUE(build_database(reading.text, path_));
-    bytes_ = read_bytes(path_);
+    bytes_ = bytes_of(path_);
   }
 
   /// Changes the database with its own CHECKs and foreign keys switched off.
@@ -76,7 +72,7 @@ TEST_F(LexiconDamage, FoldersTextsAndEmptyFilesAreRefused) {
   std::filesystem::remove(path_);
   for (const std::string& content :
        {std::string(), std::string("hello"), std::string(10000, 'x'), std::string(5000, '\0')}) {
-    write_bytes(path_, content);
+    put_bytes(path_, content);
     EXPECT_NE(open_error().find("rebuild it"), std::string::npos) << open_error();
   }
 }
@@ -107,7 +103,7 @@ TEST_F(LexiconDamage, AViewInPlaceOfATableIsRefused) {
 
 TEST_F(LexiconDamage, TruncatedAtAnyPageItIsAnError) {
   for (size_t size = 0; size < bytes_.size(); size += 512) {
-    write_bytes(path_, bytes_.substr(0, size));
+    put_bytes(path_, bytes_.substr(0, size));
     EXPECT_NE(open_error(), "") << "cut at " << size;
     use_everything();
   }
@@ -125,7 +121,7 @@ TEST_F(LexiconDamage, FlippedBytesNeverCrash) {
       const unsigned bit = next() % 8;
       broken[at] = static_cast<char>(static_cast<unsigned char>(broken[at]) ^ (1u << bit));
     }
-    write_bytes(path_, broken);
+    put_bytes(path_, broken);
     use_everything();
   }
 }

@@ -10,8 +10,6 @@ namespace auslan {
 namespace {
 
 using testing::as_one_text;
-using testing::read_bytes;
-using testing::ScratchFolder;
 
 const std::filesystem::path kFolder = std::filesystem::path(AUSLANJAM_SOURCE_DIR) / "assets" / "lexicon";
 
@@ -49,9 +47,9 @@ TEST_F(LexiconDatabase, TheModelThatComesOutIsTheModelThatWentIn) {
 
 TEST_F(LexiconDatabase, BuildingTwiceGivesTheSameBytes) {
   ASSERT_TRUE(build_database(text_, folder_ / "again.sqlite"));
-  const std::string first = read_bytes(folder_ / "lexicon.sqlite");
+  const std::string first = bytes_of(folder_ / "lexicon.sqlite");
   EXPECT_GT(first.size(), 10000u);
-  EXPECT_TRUE(first == read_bytes(folder_ / "again.sqlite"));
+  EXPECT_TRUE(first == bytes_of(folder_ / "again.sqlite"));
 }
 
 TEST_F(LexiconDatabase, EntriesAreFoundByName) {
@@ -153,12 +151,12 @@ TEST_F(LexiconDatabase, CountsAddUp) {
 }
 
 TEST_F(LexiconDatabase, ALexiconThatBreaksARuleIsNotBuiltAndTheOldFileStays) {
-  const std::string before = read_bytes(folder_ / "lexicon.sqlite");
+  const std::string before = bytes_of(folder_ / "lexicon.sqlite");
   text_.signs[0].dominant[0].handshape = "no_such_shape";
   const Result<void> built = build_database(text_, folder_ / "lexicon.sqlite");
   ASSERT_FALSE(built);
   EXPECT_NE(built.error().message.find("no_such_shape"), std::string::npos);
-  EXPECT_TRUE(before == read_bytes(folder_ / "lexicon.sqlite"));
+  EXPECT_TRUE(before == bytes_of(folder_ / "lexicon.sqlite"));
 }
 
 TEST_F(LexiconDatabase, AnUnwritablePlaceIsAnErrorAndLeavesNothing) {

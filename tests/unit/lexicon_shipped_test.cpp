@@ -83,7 +83,7 @@ TEST(ShippedLexicon, HoldsEveryHandshapeOfTheFacts) {
   std::vector<std::string> ids;
   for (const Handshape& shape : shipped().handshapes)
     ids.push_back(shape.id);
-  EXPECT_EQ(ids, json_values(testing::read_bytes(file), "id"));
+  EXPECT_EQ(ids, json_values(bytes_of(file), "id"));
 }
 
 TEST(ShippedLexicon, ShapesThatDifferInTheirNameDifferInTheirAngles) {
@@ -188,7 +188,7 @@ TEST(ShippedLexicon, IsNotCalledReviewed) {
 }
 
 TEST(ShippedLexicon, EverySourceIsExplained) {
-  const std::string page = testing::read_bytes(kFolder / "SOURCES.md");
+  const std::string page = bytes_of(kFolder / "SOURCES.md");
   std::set<std::string> tags;
   const auto collect = [&tags](const Provenance& provenance) {
     tags.insert(provenance.sources.begin(), provenance.sources.end());
@@ -229,7 +229,7 @@ TEST(ShippedLexicon, EveryPhraseOfTheFactsIsThere) {
   std::set<std::string> sentences;
   for (const Phrase& phrase : shipped().phrases)
     sentences.insert(phrase.english);
-  const std::string text = testing::read_bytes(file);
+  const std::string text = bytes_of(file);
   int missing = 0;
   const std::string key = "\"english\": \"";
   for (size_t at = text.find(key); at != std::string::npos; at = text.find(key, at + 1)) {

@@ -285,7 +285,7 @@ TEST(LexiconText, AFileThatIsNotOfTheLexiconIsToldSo) {
 }
 
 TEST(LexiconText, FoldersAreReadAndWrittenWhole) {
-  const testing::ScratchFolder folder;
+  const ScratchFolder folder;
   const LexiconReading reading = parse_lexicon_text(sample_sources());
   ASSERT_TRUE(save_lexicon_text(reading.text, folder.path()));
   const Result<LexiconText> again = read_lexicon_text(folder.path());
@@ -296,7 +296,7 @@ TEST(LexiconText, FoldersAreReadAndWrittenWhole) {
 }
 
 TEST(LexiconText, AFolderThatIsNotThereOrLacksAFileIsAnError) {
-  const testing::ScratchFolder folder;
+  const ScratchFolder folder;
   const Result<LexiconText> missing = read_lexicon_text(folder / "nowhere");
   ASSERT_FALSE(missing);
   EXPECT_EQ(missing.error().code, ErrorCode::kNotFound);
@@ -307,13 +307,13 @@ TEST(LexiconText, AFolderThatIsNotThereOrLacksAFileIsAnError) {
 }
 
 TEST(LexiconText, TheFirstProblemOfAFolderSaysHowManyMoreThereAre) {
-  const testing::ScratchFolder folder;
+  const ScratchFolder folder;
   std::filesystem::create_directories(folder / "signs");
   std::vector<TextSource> sources = sample_sources();
   sources[3].text.replace(sources[3].text.find("north"), 5, "utopia");
   sources[3].text.replace(sources[3].text.find("shake"), 5, "shiver");
   for (const TextSource& source : sources)
-    testing::write_bytes(folder / source.name, source.text);
+    put_bytes(folder / source.name, source.text);
   const Result<LexiconText> text = read_lexicon_text(folder.path());
   ASSERT_FALSE(text);
   EXPECT_EQ(text.error().place, (folder / "signs/health.toml:4").string());
