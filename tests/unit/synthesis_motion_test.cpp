@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The motion of the shipped signs on the shipped figure, against the project's quality limits.
+#include "kinematics/elementary.h"
+#include "kinematics/limits.h"
 #include "kinematics/rotation.h"
+#include "phonology/vocabulary.h"
 #include "shipped.h"
 #include "synthesis/choreography.h"
 #include "synthesis/performance.h"
@@ -246,6 +249,37 @@ TEST(Motion, SpeedScalesTheSigning) {
   EXPECT_NEAR(static_cast<double>(half.end) / static_cast<double>(normal.end), 2.0, 0.01);
   slow.speed = 0;
   EXPECT_FALSE(choreograph(*shipped().signer, utterance, slow));
+}
+
+/// Half of all postures break the limits of a straight solution; the hand leans until nearly none does.
+TEST(Motion, LettersAreHeldWithinTheLimitsOfTheJoints) {
+  Shipped& s = shipped();
+  const Skeleton& skeleton = s.figure.skeleton;
+  for (char letter = 'A'; letter <= 'Z'; ++letter) {
+    const std::string gloss = std::string("fs:") + letter;
+    const Score score = score_of({gloss});
+    Pose pose;
+    Performance(*s.signer, score, still()).sample(score.glosses.front().end - ticks(0.05), pose);
+    for (const char* name : {"shoulder_l", "elbow_l", "wrist_l", "shoulder_r", "elbow_r", "wrist_r"}) {
+      const int node = skeleton.find(name);
+      EXPECT_LT(limit_violation(skeleton, node, pose.rotation[static_cast<size_t>(node)]) / kDegree, 6.0)
+          << gloss << " " << name;
+    }
+  }
+}
+
+TEST(Motion, AHandLeansNoFartherThanFortyDegreesFromItsStatedDirection) {
+  Shipped& s = shipped();
+  for (const std::string& gloss : all_glosses()) {
+    const Sign sign = s.lexicon->sign(gloss).value().value();
+    for (const Posture& posture : sign.dominant) {
+      const Handshape shape = s.lexicon->handshape(posture.handshape).value().value();
+      const PlacedHand placed = s.signer->place(posture, shape, Side::kRight, {});
+      const Quat stated =
+          orient_hand(s.signer->hand_frame(Side::kRight), to_vector(posture.fingers), to_vector(posture.palm));
+      EXPECT_LE(angle_between(stated, placed.state.wrist.rotation) / kDegree, 40.01) << gloss;
+    }
+  }
 }
 
 /// Signs that touch head or trunk: the part of the hand that touches is on the skin when the contact is made.

@@ -3,6 +3,7 @@
 
 #include "kinematics/arm_ik.h"
 #include "kinematics/elementary.h"
+#include "kinematics/limits.h"
 #include "kinematics/rotation.h"
 #include "kinematics/surface.h"
 #include "phonology/vocabulary.h"
@@ -24,6 +25,13 @@ constexpr double kNearDistance = 0.015;
 constexpr double kElbowRadius = 0.045, kWristRadius = 0.028, kTolerable = 0.012;
 constexpr int kSwivelSteps = 28;
 constexpr double kSwivelStep = 5.0 * kDegree;
+
+// A hand whose stated direction would break the joint limits leans, as people's hands do: strain (radians beyond the
+// limits) counts this much more than leaning, and no hand leans farther than it could be mistaken for another of the 26
+// directions, which lie 45 degrees apart.
+constexpr double kStrainWeight = 3.0, kComfort = 2.0 * kDegree, kLargestLean = 40.0 * kDegree;
+constexpr double kFirstLean = 12.0 * kDegree, kLastLean = 1.0 * kDegree;
+constexpr int kLeanRounds = 2;
 
 double mix(double a, double b, double t) {
   return a + (b - a) * t;
@@ -163,7 +171,6 @@ PlacedHand Signer::place(const Posture& posture, const Handshape& handshape, Sid
   if (contact) named = posture.contact->part;
   const HandPart part = named ? *named : (placed.touching ? default_part(handshape, palm_faces) : HandPart::kPalm);
   const Site local = hand(side).site(part, state.angles);
-  const Vec3 reach = state.wrist.rotation * local.position;
 
   Site site;
   if (on_other && counterpart.mirrored) {
@@ -190,10 +197,58 @@ PlacedHand Signer::place(const Posture& posture, const Handshape& handshape, Sid
   }
   if (contact && kind == ContactKind::kNear) site.position += site.normal * kNearDistance;
   placed.normal = placed.touching ? site.normal : -palm;
-  state.wrist.position = site.position - reach;
   state.follows_head = is_on_head(location) && (placed.touching || kind == ContactKind::kNear) ? 1.0 : 0.0;
-  state.swivel = swivel_for(side, state.wrist);
+  reach_comfortably(side, local.position, site.position, state);
   return placed;
+}
+
+double Signer::strain(Side side, const HandState& state) const {
+  const Skeleton& skeleton = figure_->skeleton;
+  const ArmNodes nodes = arm_nodes(skeleton, side);
+  const ArmSolution arm = solve_arm(skeleton, side, parent_of_shoulder(skeleton, side), state.wrist, state.swivel);
+  return limit_violation(skeleton, nodes.shoulder, arm.shoulder) + limit_violation(skeleton, nodes.elbow, arm.elbow) +
+         limit_violation(skeleton, nodes.wrist, arm.wrist);
+}
+
+void Signer::reach_comfortably(Side side, const Vec3& part, const Vec3& target, HandState& state) const {
+  const Quat wanted = state.wrist.rotation;
+  const auto turn_to = [&](const Vec3& lean) {
+    state.wrist.rotation = from_rotation_vector(lean) * wanted;
+    state.wrist.position = target - state.wrist.rotation * part;
+  };
+  Vec3 lean(0.0);
+  turn_to(lean);
+  state.swivel = swivel_for(side, state.wrist);
+  const auto cost = [&](const Vec3& candidate) {
+    const double angle = std::sqrt(glm::dot(candidate, candidate));
+    if (angle > kLargestLean) return 1e3;
+    turn_to(candidate);
+    return kStrainWeight * strain(side, state) + angle;
+  };
+  // Pattern search (Hooke & Jeeves) over the lean, with the swivel found anew after each round.
+  for (int round = 0; round < kLeanRounds; ++round) {
+    double least = cost(lean);
+    if (least < kStrainWeight * kComfort) break;
+    for (double step = kFirstLean; step > kLastLean; step *= 0.5) {
+      for (bool better = true; better;) {
+        better = false;
+        for (int axis = 0; axis < 3; ++axis) {
+          for (const double sign : {1.0, -1.0}) {
+            Vec3 candidate = lean;
+            candidate[axis] += sign * step;
+            const double found = cost(candidate);
+            if (found >= least - 1e-9) continue;
+            least = found;
+            lean = candidate;
+            better = true;
+          }
+        }
+      }
+    }
+    turn_to(lean);
+    state.swivel = swivel_for(side, state.wrist);
+  }
+  turn_to(lean);
 }
 
 double Signer::swivel_for(Side side, const Transform& world_from_wrist) const {

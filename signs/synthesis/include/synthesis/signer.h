@@ -65,6 +65,11 @@ class Signer {
 
  private:
   Signer(const Figure& figure, BodySites body, std::array<HandSites, 2> hands);
+  /// Radians by which the arm breaks its joint limits to put the hand there, over shoulder, elbow and wrist.
+  double strain(Side side, const HandState& state) const;
+  /// Puts the hand's `part` (wrist frame) on `target`, leaning from the wanted orientation as far as the joint limits
+  /// ask.
+  void reach_comfortably(Side side, const Vec3& part, const Vec3& target, HandState& state) const;
   /// The place on the other hand or arm, world space.
   Site other_site(Location location, HandPart touching, Side other_side, const HandState& other, const Vec3& comes_from,
                   const Vec3& offset) const;
