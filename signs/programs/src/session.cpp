@@ -51,8 +51,6 @@ Result<TranslatorData> translator_data(const Lexicon& lexicon) {
     data.entries.push_back({entry.gloss, entry.confidence, entry.review});
   data.phrases = lexicon.phrases();
   data.keywords = lexicon.keywords();
-  auto forms = read_wordnet_exceptions();
-  if (forms) data.irregular_lemmas = std::move(*forms);
   return data;
 }
 
@@ -100,10 +98,16 @@ Result<Translation> Session::translation() {
   }
   auto data = translator_data(**lexicon);
   if (!data) return tl::unexpected(data.error());
+  // Without WordNet's lists the rules for endings still stand; "teeth" is then spelled, and said so.
+  auto forms = read_wordnet_exceptions();
+  if (forms) data->irregular_lemmas = std::move(*forms);
   auto translator = Translator::build(std::move(*data));
   if (!translator) return tl::unexpected(translator.error());
   auto translation = translator->translate(*options_.source.text);
   if (!translation) return tl::unexpected(as_usage(translation.error()));
+  if (!forms)
+    translation->warnings.push_back("Irregular words such as \"teeth\" are not known: " + to_string(forms.error()) +
+                                    "; install wordnet-base.");
   return translation;
 }
 
