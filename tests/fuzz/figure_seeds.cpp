@@ -16,12 +16,12 @@ int main(int argc, char** argv) {
   std::filesystem::create_directories(folder);
   const Figure figure = test::tiny_figure();
   if (std::string_view(argv[1]) == "figure_file") {
-    test::write_bytes(folder / "tiny.figure", serialise_figure(figure));
+    put_bytes(folder / "tiny.figure", serialise_figure(figure));
     return 0;
   }
   const std::string glb = test::glb_bytes(figure);
   const test::GlbDocument document = test::open_glb(glb);
-  test::write_bytes(folder / "tiny.glb", glb);
-  test::write_bytes(folder / "tiny.parts", document.json.dump() + '\0' + document.binary);
+  put_bytes(folder / "tiny.glb", glb);
+  put_bytes(folder / "tiny.parts", document.json.dump() + '\0' + document.binary);
   return 0;
 }
