@@ -18,7 +18,8 @@ namespace {
 
 /// A performance longer than this is refused: it would keep a machine busy for hours without a word.
 constexpr double kLongestSeconds = 45 * 60;
-constexpr size_t kMostUnits = 12000;
+// No sign and no letter is shorter than this: a transition, a stroke and a hold.
+constexpr double kShortestSign = 0.44, kShortestLetter = 0.25;
 
 bool is_digits(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) { return c >= '0' && c <= '9'; });
@@ -36,6 +37,15 @@ std::string entry_name(std::string_view gloss) {
 Error as_usage(Error error) {
   error.code = ErrorCode::kUsage;
   return error;
+}
+
+/// A lower bound of the time that a translation takes to sign at speed 1.
+double least_seconds(const Translation& translation) {
+  double least = 0;
+  for (const Item& item : translation.items)
+    least += item.pause_seconds + static_cast<double>(item.glosses.size()) *
+                                      (item.kind == ItemKind::kSpelled ? kShortestLetter : kShortestSign);
+  return least;
 }
 
 tl::unexpected<Error> too_long(const std::string& what) {
@@ -176,10 +186,9 @@ Result<Session::Spoken> Session::spoken() {
   if (options_.source.sigml_file || options_.source.hamnosys) return notated();
   const auto translation = this->translation();
   if (!translation) return tl::unexpected(translation.error());
-  size_t units = 0;
-  for (const Item& item : translation->items)
-    units += item.glosses.size();
-  if (units > kMostUnits) return too_long(std::to_string(units) + " signs and letters");
+  // Told before the work is begun.
+  if (const double least = least_seconds(*translation) / options_.speed; least > kLongestSeconds)
+    return too_long("at least " + std::to_string(static_cast<int>(least / 60)) + " minutes");
   auto utterance = compose(
       *translation, [this](std::string_view gloss) { return lexicon_->sign(gloss); },
       [this](std::string_view id) { return lexicon_->handshape(id); });
