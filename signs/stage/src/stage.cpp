@@ -7,9 +7,8 @@
 #include <utility>
 
 namespace auslan {
-namespace {
 
-raster::Lighting studio_lighting() {
+raster::Lighting stage_lighting() {
   raster::Lighting lighting;
   // A key light from the viewer's upper left, so that the nose and the hands throw their shading to one side; a weak
   // fill from the other side; a sky a little brighter than the floor.
@@ -22,12 +21,16 @@ raster::Lighting studio_lighting() {
   return lighting;
 }
 
+namespace {
+
 glm::vec3 to_float(const Vec3& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-/// Cameras are placed by the figure's own proportions, so that a taller signer fills the picture as a shorter one does.
-raster::Camera camera_for(const Figure& figure, CameraName name, float aspect) {
+}  // namespace
+
+// Cameras are placed by the figure's own proportions, so that a taller signer fills the picture as a shorter one does.
+raster::Camera stage_camera(const Figure& figure, CameraName name, float aspect) {
   const Skeleton& skeleton = figure.skeleton;
   const Vec3 base = skeleton.rest_position(skeleton.find("spine_base"));
   const Vec3 head = skeleton.rest_position(skeleton.find("head_base"));
@@ -70,8 +73,6 @@ raster::Camera camera_for(const Figure& figure, CameraName name, float aspect) {
   return raster::look_at(to_float(eye), to_float(target), to_float(up), static_cast<float>(cot), aspect, 0.02F);
 }
 
-}  // namespace
-
 std::optional<CameraName> camera_from_name(std::string_view name) {
   for (size_t i = 0; i < std::size(kCameraNames); ++i)
     if (kCameraNames[i] == name) return static_cast<CameraName>(i);
@@ -83,10 +84,10 @@ Stage::Stage(const Figure& figure, const StageOptions& options)
       options_(options),
       model_(options.flat ? make_rigid_flat(figure) : make_rigid_gouraud(figure)),
       camera_(
-          camera_for(figure, options.camera, static_cast<float>(options.width) / static_cast<float>(options.height))),
+          stage_camera(figure, options.camera, static_cast<float>(options.width) / static_cast<float>(options.height))),
       world_(static_cast<size_t>(figure.skeleton.size())) {
   renderer_.set_camera(camera_);
-  renderer_.set_lighting(studio_lighting());
+  renderer_.set_lighting(stage_lighting());
 }
 
 Result<Stage> Stage::build(const Figure& figure, const StageOptions& options) {

@@ -37,6 +37,11 @@ struct StageOptions {
   uint32_t background = 0xC9D3D9;  ///< 0x00RRGGBB
 };
 
+/// The camera and the light of every stage, for what draws a figure without one (the benchmark). `aspect`: width over
+/// height.
+raster::Camera stage_camera(const Figure& figure, CameraName name, float aspect);
+raster::Lighting stage_lighting();
+
 /// Draws one figure. Owns a renderer and a model, so one thread at a time; any number of stages can share a figure.
 class Stage {
  public:
@@ -47,6 +52,9 @@ class Stage {
   void render(const Pose& pose, std::span<uint32_t> pixels);
 
   const StageOptions& options() const { return options_; }
+  /// Where the rasteriser's time went in the last render, for `auslanjam bench`.
+  const raster::StageTimes& times() const { return renderer_.times(); }
+  const raster::DrawStats& stats() const { return renderer_.stats(); }
 
  private:
   Stage(const Figure& figure, const StageOptions& options);
