@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+// Eight lanes in pairs of NEON registers, the baseline of AArch64. The contract is in lanes_scalar.h.
+#pragma once
+
+#include <arm_neon.h>
+#include <cstddef>
+#include <cstdint>
+
+namespace auslan::raster {
+
+struct Neon {
+  struct F {
+    float32x4_t l, h;
+    friend F operator+(F a, F b) { return {vaddq_f32(a.l, b.l), vaddq_f32(a.h, b.h)}; }
+    friend F operator-(F a, F b) { return {vsubq_f32(a.l, b.l), vsubq_f32(a.h, b.h)}; }
+    friend F operator*(F a, F b) { return {vmulq_f32(a.l, b.l), vmulq_f32(a.h, b.h)}; }
+    friend F operator/(F a, F b) { return {vdivq_f32(a.l, b.l), vdivq_f32(a.h, b.h)}; }
+  };
+  struct I {
+    int32x4_t l, h;
+    friend I operator+(I a, I b) { return {vaddq_s32(a.l, b.l), vaddq_s32(a.h, b.h)}; }
+    friend I operator-(I a, I b) { return {vsubq_s32(a.l, b.l), vsubq_s32(a.h, b.h)}; }
+    friend I operator&(I a, I b) { return {vandq_s32(a.l, b.l), vandq_s32(a.h, b.h)}; }
+    friend I operator|(I a, I b) { return {vorrq_s32(a.l, b.l), vorrq_s32(a.h, b.h)}; }
+    friend I operator^(I a, I b) { return {veorq_s32(a.l, b.l), veorq_s32(a.h, b.h)}; }
+  };
+  struct H {
+    int16x8_t v;
+    friend H operator+(H a, H b) { return {vaddq_s16(a.v, b.v)}; }
+    friend H operator*(H a, H b) { return {vmulq_s16(a.v, b.v)}; }
+  };
+
+  static F set(float x) { return {vdupq_n_f32(x), vdupq_n_f32(x)}; }
+  static I set(int32_t x) { return {vdupq_n_s32(x), vdupq_n_s32(x)}; }
+  static F load(const float* p) { return load_2x4(p, 4); }
+  static I load(const int32_t* p) { return {vld1q_s32(p), vld1q_s32(p + 4)}; }
+  static I load(const uint32_t* p) { return load_2x4(p, 4); }
+  static void store(float* p, F a) { store_2x4(p, 4, a); }
+  static void store(int32_t* p, I a) {
+    vst1q_s32(p, a.l);
+    vst1q_s32(p + 4, a.h);
+  }
+  static void store(uint32_t* p, I a) { store_2x4(p, 4, a); }
+
+  // NEON's own minimum of a number and a NaN is NaN; the contract's is the second operand.
+  static F min(F a, F b) {
+    return {vbslq_f32(vcltq_f32(a.l, b.l), a.l, b.l), vbslq_f32(vcltq_f32(a.h, b.h), a.h, b.h)};
+  }
+  static F max(F a, F b) {
+    return {vbslq_f32(vcgtq_f32(a.l, b.l), a.l, b.l), vbslq_f32(vcgtq_f32(a.h, b.h), a.h, b.h)};
+  }
+  static I min(I a, I b) { return {vminq_s32(a.l, b.l), vminq_s32(a.h, b.h)}; }
+  static I max(I a, I b) { return {vmaxq_s32(a.l, b.l), vmaxq_s32(a.h, b.h)}; }
+  static F sqrt(F a) { return {vsqrtq_f32(a.l), vsqrtq_f32(a.h)}; }
+  static I greater(F a, F b) { return lanes_of(vcgtq_f32(a.l, b.l), vcgtq_f32(a.h, b.h)); }
+  static I at_least(F a, F b) { return lanes_of(vcgeq_f32(a.l, b.l), vcgeq_f32(a.h, b.h)); }
+  static I greater(I a, I b) { return lanes_of(vcgtq_s32(a.l, b.l), vcgtq_s32(a.h, b.h)); }
+  static I equal(I a, I b) { return lanes_of(vceqq_s32(a.l, b.l), vceqq_s32(a.h, b.h)); }
+  static I and_not(I mask, I a) { return {vbicq_s32(a.l, mask.l), vbicq_s32(a.h, mask.h)}; }
+  template <int kBits>
+  static I shift_left(I a) {
+    return {vshlq_n_s32(a.l, kBits), vshlq_n_s32(a.h, kBits)};
+  }
+  template <int kBits>
+  static I shift_right(I a) {
+    return {vshrq_n_s32(a.l, kBits), vshrq_n_s32(a.h, kBits)};
+  }
+
+  static F to_float(I a) { return {vcvtq_f32_s32(a.l), vcvtq_f32_s32(a.h)}; }
+  static I truncate(F a) { return {vcvtq_s32_f32(a.l), vcvtq_s32_f32(a.h)}; }
+  static I round(F a) { return {vcvtnq_s32_f32(a.l), vcvtnq_s32_f32(a.h)}; }
+  static I bits(F a) { return {vreinterpretq_s32_f32(a.l), vreinterpretq_s32_f32(a.h)}; }
+
+  static I sign_mask(I a) { return shift_right<31>(a); }
+  // Masks are whole lanes here, so the sign bit need not be spread again.
+  static F select(I mask, F yes, F no) {
+    return {vbslq_f32(unsigned_of(mask.l), yes.l, no.l), vbslq_f32(unsigned_of(mask.h), yes.h, no.h)};
+  }
+  static I select(I mask, I yes, I no) {
+    return {vbslq_s32(unsigned_of(mask.l), yes.l, no.l), vbslq_s32(unsigned_of(mask.h), yes.h, no.h)};
+  }
+  static uint32_t signs(I a) {
+    const int32_t places[4] = {0, 1, 2, 3};
+    const int32x4_t place = vld1q_s32(places);
+    const uint32x4_t low = vshlq_u32(vshrq_n_u32(unsigned_of(a.l), 31), place);
+    const uint32x4_t high = vshlq_u32(vshrq_n_u32(unsigned_of(a.h), 31), place);
+    return vaddvq_u32(vorrq_u32(low, vshlq_n_u32(high, 4)));
+  }
+
+  static I pair(I low, I high) { return {vsliq_n_s32(low.l, high.l, 16), vsliq_n_s32(low.h, high.h, 16)}; }
+  static I dot(I a, I b) { return {dot4(a.l, b.l), dot4(a.h, b.h)}; }
+
+  static F load_2x4(const float* p, size_t stride) { return {vld1q_f32(p), vld1q_f32(p + stride)}; }
+  static I load_2x4(const uint32_t* p, size_t stride) { return lanes_of(vld1q_u32(p), vld1q_u32(p + stride)); }
+  static void store_2x4(float* p, size_t stride, F a) {
+    vst1q_f32(p, a.l);
+    vst1q_f32(p + stride, a.h);
+  }
+  static void store_2x4(uint32_t* p, size_t stride, I a) {
+    vst1q_u32(p, unsigned_of(a.l));
+    vst1q_u32(p + stride, unsigned_of(a.h));
+  }
+
+  static H halves(uint32_t pair_of_equals) { return {vreinterpretq_s16_u32(vdupq_n_u32(pair_of_equals))}; }
+  static H load_halves(const int16_t* p) { return {vld1q_s16(p)}; }
+  static H min(H a, H b) { return {vminq_s16(a.v, b.v)}; }
+  static H max(H a, H b) { return {vmaxq_s16(a.v, b.v)}; }
+  template <int kBits>
+  static H shift_left(H a) {
+    return {vshlq_n_s16(a.v, kBits)};
+  }
+  template <int kBits>
+  static H shift_right(H a) {
+    return {vreinterpretq_s16_u16(vshrq_n_u16(vreinterpretq_u16_s16(a.v), kBits))};
+  }
+  static I pixels(H red, H green, H blue) {
+    const int16x8_t low = vorrq_s16(blue.v, vshlq_n_s16(green.v, 8));
+    return {vreinterpretq_s32_s16(vzip1q_s16(low, red.v)), vreinterpretq_s32_s16(vzip2q_s16(low, red.v))};
+  }
+
+  static void gather_quads(const float* base, const uint32_t* number, size_t stride, F& a, F& b, F& c, F& d) {
+    const auto row = [=](size_t i) { return vld1q_f32(base + size_t{number[i]} * stride); };
+    transpose(row(0), row(1), row(2), row(3), a.l, b.l, c.l, d.l);
+    transpose(row(4), row(5), row(6), row(7), a.h, b.h, c.h, d.h);
+  }
+  static void gather_pairs(const float* base, const uint32_t* number, size_t stride, F& a, F& b) {
+    const auto two = [=](size_t i) {
+      return vcombine_f32(vld1_f32(base + size_t{number[i]} * stride), vld1_f32(base + size_t{number[i + 1]} * stride));
+    };
+    const float32x4_t r0 = two(0);
+    const float32x4_t r1 = two(2);
+    const float32x4_t r2 = two(4);
+    const float32x4_t r3 = two(6);
+    a = {vuzp1q_f32(r0, r1), vuzp1q_f32(r2, r3)};
+    b = {vuzp2q_f32(r0, r1), vuzp2q_f32(r2, r3)};
+  }
+  static void scatter_octets(float* out, F a, F b, F c, F d, F e, F f, F g, F h) {
+    float32x4_t left[8], right[8];
+    transpose(a.l, b.l, c.l, d.l, left[0], left[1], left[2], left[3]);
+    transpose(a.h, b.h, c.h, d.h, left[4], left[5], left[6], left[7]);
+    transpose(e.l, f.l, g.l, h.l, right[0], right[1], right[2], right[3]);
+    transpose(e.h, f.h, g.h, h.h, right[4], right[5], right[6], right[7]);
+    for (size_t i = 0; i < 8; ++i) {
+      vst1q_f32(out + 8 * i, left[i]);
+      vst1q_f32(out + 8 * i + 4, right[i]);
+    }
+  }
+  static void load_triples(const float* p, F& a, F& b, F& c) {
+    const float32x4x3_t low = vld3q_f32(p);
+    const float32x4x3_t high = vld3q_f32(p + 12);
+    a = {low.val[0], high.val[0]};
+    b = {low.val[1], high.val[1]};
+    c = {low.val[2], high.val[2]};
+  }
+
+ private:
+  static uint32x4_t unsigned_of(int32x4_t a) { return vreinterpretq_u32_s32(a); }
+  static I lanes_of(uint32x4_t l, uint32x4_t h) { return {vreinterpretq_s32_u32(l), vreinterpretq_s32_u32(h)}; }
+  static int32x4_t dot4(int32x4_t a, int32x4_t b) {
+    const int16x8_t x = vreinterpretq_s16_s32(a);
+    const int16x8_t y = vreinterpretq_s16_s32(b);
+    return vpaddq_s32(vmull_s16(vget_low_s16(x), vget_low_s16(y)), vmull_high_s16(x, y));
+  }
+  static void transpose(float32x4_t r0, float32x4_t r1, float32x4_t r2, float32x4_t r3, float32x4_t& a, float32x4_t& b,
+                        float32x4_t& c, float32x4_t& d) {
+    const float64x2_t t0 = vreinterpretq_f64_f32(vtrn1q_f32(r0, r1));
+    const float64x2_t t1 = vreinterpretq_f64_f32(vtrn2q_f32(r0, r1));
+    const float64x2_t t2 = vreinterpretq_f64_f32(vtrn1q_f32(r2, r3));
+    const float64x2_t t3 = vreinterpretq_f64_f32(vtrn2q_f32(r2, r3));
+    a = vreinterpretq_f32_f64(vzip1q_f64(t0, t2));
+    b = vreinterpretq_f32_f64(vzip1q_f64(t1, t3));
+    c = vreinterpretq_f32_f64(vzip2q_f64(t0, t2));
+    d = vreinterpretq_f32_f64(vzip2q_f64(t1, t3));
+  }
+};
+
+}  // namespace auslan::raster
