@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "clip.h"
 
+#include <cmath>
+
 namespace auslan::raster {
 namespace {
 
@@ -56,6 +58,27 @@ void clip_at(ClipPolygon& polygon, uint32_t plane, const Viewport& viewport) {
 }
 
 }  // namespace
+
+uint32_t planes_outside(const Viewport& viewport, const glm::vec4& clip) noexcept {
+  const float guard_x = viewport.guard_x * clip.w;
+  const float guard_y = viewport.guard_y * clip.w;
+  if (!(std::isfinite(clip.x) && std::isfinite(clip.y) && std::isfinite(clip.z) && std::isfinite(guard_x) &&
+        std::isfinite(guard_y))) {
+    return kBroken;
+  }
+  uint32_t planes = 0;
+  if (clip.x < -clip.w) planes |= kOutLeft;
+  if (clip.x > clip.w) planes |= kOutRight;
+  if (clip.y < -clip.w) planes |= kOutBottom;
+  if (clip.y > clip.w) planes |= kOutTop;
+  if (clip.z > clip.w) planes |= kOutNear;
+  if (clip.z < 0.0F) planes |= kOutFar;
+  if (clip.x < -guard_x) planes |= kOutGuardLeft;
+  if (clip.x > guard_x) planes |= kOutGuardRight;
+  if (clip.y < -guard_y) planes |= kOutGuardBottom;
+  if (clip.y > guard_y) planes |= kOutGuardTop;
+  return planes;
+}
 
 void clip(ClipPolygon& polygon, const Viewport& viewport) noexcept {
   for (uint32_t plane = kOutNear; plane <= kOutGuardTop; plane <<= 1U) {

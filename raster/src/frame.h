@@ -1,103 +1,94 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a frame holds between begin_frame and end_frame: vertices on the sub-pixel grid, and triangles that name them.
-// Everything is kept from frame to frame, so that a warm renderer allocates nothing.
+// One frame: what was recorded between begin_frame and end_frame, what is remembered of the last one, and the stages
+// that turn the one into pixels and the other into a saving.
 #pragma once
 
-#include "lights.h"
-#include "raster/renderer.h"
+#include "bins.h"
+#include "workers.h"
 
-#include <cstdint>
-#include <glm/mat4x4.hpp>
+#include <memory>
 #include <vector>
 
 namespace auslan::raster {
 
-inline constexpr int kSubPixelBits = 8;
-inline constexpr int kSubPixels = 1 << kSubPixelBits;
-/// Vertices lie at most this far from the centre of the frame, in sub-pixels (guard band; a few more by rounding). With
-/// it every coordinate difference stays below 2^23 and 256: exact in a float, and edge functions stay below 2^49.
-inline constexpr float kGuardBand = 4194304.0F;
+class Frame {
+ public:
+  Frame(int threads, const KernelTable* kernel);
 
-/// A projected vertex. x and y in sub-pixels from the top-left corner of the frame, y down.
-struct ScreenVertex {
-  int32_t x = 0;
-  int32_t y = 0;
-  float depth = 0.0F;      ///< z / w, 0 (far) to 1 (near)
-  float inverse_w = 0.0F;  ///< 1 / w
-  float level[3] = {};     ///< lit red, green, blue: sRGB levels 0 to 255, not rounded
-};
+  bool has_kernel() const { return kernel_ != nullptr; }
+  bool open() const { return open_; }
+  size_t pixel_count() const;
 
-/// A vertex in clip space, in double so that cutting an edge loses nothing of the floats that it came from.
-struct ClipVertex {
-  double x = 0.0, y = 0.0, z = 0.0, w = 0.0;
-  double level[3] = {};
-};
-
-/// Three screen vertices in the order in which their area is positive (clockwise on the screen).
-struct TriangleRecord {
-  uint32_t vertex[3] = {};
-  uint32_t flat_colour = 0;  ///< pixel, or kGouraudColour
-  int16_t first_row = 0;     ///< rows of the frame that it can touch, inclusive
-  int16_t last_row = 0;
-};
-inline constexpr uint32_t kGouraudColour = 0xFFFFFFFFU;
-
-/// The mapping from clip space to sub-pixels.
-struct Viewport {
-  int width = 0;
-  int height = 0;
-  float half_x = 0.0F;  ///< half the width in sub-pixels
-  float half_y = 0.0F;
-  float guard_x = 1.0F;  ///< |x| <= guard_x * w is inside the guard band; a power of two, so that the product is exact
-  float guard_y = 1.0F;
-};
-
-Viewport make_viewport(int width, int height) noexcept;
-
-/// Projects a clip-space point that lies inside near, far and guard planes. False where the result is not finite or
-/// would leave the guard band; `out` is then unspecified. Levels are not touched.
-bool project(const Viewport& viewport, float x, float y, float z, float w, ScreenVertex& out) noexcept;
-
-/// Which planes a clip-space point lies outside of.
-enum PlaneBits : uint32_t {
-  kOutLeft = 1U << 0U,
-  kOutRight = 1U << 1U,
-  kOutBottom = 1U << 2U,
-  kOutTop = 1U << 3U,
-  kOutNear = 1U << 4U,
-  kOutFar = 1U << 5U,
-  kOutGuardLeft = 1U << 6U,
-  kOutGuardRight = 1U << 7U,
-  kOutGuardBottom = 1U << 8U,
-  kOutGuardTop = 1U << 9U,
-  kBroken = 1U << 10U,  ///< not finite
-};
-inline constexpr uint32_t kInvisibleBits = kOutLeft | kOutRight | kOutBottom | kOutTop | kOutNear | kOutFar;
-inline constexpr uint32_t kCutBits =
-    kOutNear | kOutFar | kOutGuardLeft | kOutGuardRight | kOutGuardBottom | kOutGuardTop;
-
-/// One vertex of the mesh that is being drawn.
-struct DrawVertex {
-  float x = 0.0F, y = 0.0F, z = 0.0F, w = 0.0F;  ///< clip space
-  uint32_t planes = 0;
-};
-
-struct Frame {
-  Viewport viewport;
-  int samples = 1;
-  uint32_t background = 0;
-  bool open = false;
+  void begin(int width, int height, int samples, uint32_t background);
+  void record(const MeshView& mesh, const glm::mat4& world_from_mesh, Shading shading, CullMode cull);
+  void end(std::span<uint32_t> pixels, Canvas canvas);
 
   Camera camera;
-  PreparedLights lights = prepare(Lighting{});
-  DrawStats stats;
+  Lighting lighting;
 
-  std::vector<ScreenVertex> vertices;
-  std::vector<TriangleRecord> triangles;
-  std::vector<DrawVertex> draw_vertices;  ///< of the current draw only
+  std::span<const PixelRect> damage() const { return damage_; }
+  const DrawStats& stats() const { return stats_; }
+  const StageTimes& times() const { return times_; }
+
+ private:
+  // Consecutive pieces of draws that one worker takes through the triangle stage into lists of their own.
+  struct Group {
+    size_t first_piece = 0, last_piece = 0;  ///< the latter not included
+    bool changed = false;
+  };
+
+  void place_draws();
+  void find_changes();
+  void list_pieces();
+  void process(bool changed);
+  void transform(bool changed);
+  void sort(bool changed);
+  void mark_changed_tiles();
+  void take_unchanged_draws();
+  void fill(std::span<uint32_t> pixels);
+  void fill_tile(uint32_t tile, int worker, std::span<uint32_t> pixels);
+  bool has_entries(size_t tile) const;
+  void list_damage();
+  void add_up();
+
+  const KernelTable* kernel_;
+  std::unique_ptr<Workers> workers_;
+  bool open_ = false;
+
+  Viewport viewport_{};
+  int samples_ = 1;
+  uint32_t background_ = 0;
+  int tiles_across_ = 0, tiles_down_ = 0;
+  bool incremental_ = false;
+
+  std::vector<RecordedDraw> draws_, last_draws_;
+  size_t draw_count_ = 0, last_draw_count_ = 0;
+  struct Kind {
+    int width = 0, height = 0, samples = 0;
+    uint32_t background = 0;
+    bool operator==(const Kind&) const = default;
+  };
+  Kind last_kind_;  ///< of the frame that the canvas shows; width 0: none
+
+  std::vector<ScreenVertex> vertices_;
+  std::vector<Piece> vertex_pieces_, pieces_;
+  std::vector<Group> groups_;
+  std::vector<uint32_t> work_;              ///< numbers of pieces, groups or tiles that the stage in hand goes through
+  std::vector<EntryBlock*> heads_, tails_;  ///< one a tile for each group
+  std::vector<Bins> bins_;                  ///< one a worker
+  std::vector<const GeneralTriangle*> general_;
+  std::vector<uint8_t> dirty_, shown_;  ///< a tile must be written; a tile showed something in the last frame
+
+  struct Buffers {
+    std::vector<uint32_t> colour;
+    std::vector<float> depth, cell_depth;
+    GeneralTriangle scratch{};
+  };
+  std::vector<Buffers> buffers_;  ///< one a worker
+
+  std::vector<PixelRect> damage_;
+  DrawStats stats_;
+  StageTimes times_;
 };
-
-/// Renderer::draw inside an open frame.
-void draw_mesh(Frame& frame, const MeshView& mesh, const glm::mat4& world_from_mesh, Shading shading, CullMode cull);
 
 }  // namespace auslan::raster

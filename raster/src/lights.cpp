@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "lights.h"
 
+#include "placement.h"
+#include "raster/srgb.h"
+
 #include <cmath>
 
 namespace auslan::raster {
@@ -10,70 +13,66 @@ float larger(float a, float b) {
   return a > b ? a : b;
 }
 
-float dot(const glm::vec3& a, const glm::vec3& b) {
-  return (a.x * b.x + a.y * b.y) + a.z * b.z;
+float dot(const float (&a)[3], const glm::vec3& b) {
+  return (a[0] * b.x + a[1] * b.y) + a[2] * b.z;
 }
 
 float sane(float light) {
   return std::isfinite(light) && light > 0.0F ? light : 0.0F;
 }
 
-glm::vec3 sane(const glm::vec3& light) {
-  return glm::vec3(sane(light.x), sane(light.y), sane(light.z));
+void set_direction(const glm::vec3& towards, float (&out)[3]) {
+  const glm::vec3 unit = finite(towards) ? unit_or_zero(towards) : glm::vec3(0.0F);
+  for (int axis = 0; axis < 3; ++axis)
+    out[axis] = unit[axis];
 }
 
-bool finite(const glm::vec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-glm::vec3 direction(const glm::vec3& towards) {
-  return finite(towards) ? unit_or_zero(towards) : glm::vec3(0.0F);
+// The unit normal of a face in its mesh; zero where it has no area.
+glm::vec3 face_normal(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+  const glm::dvec3 u = glm::dvec3(b) - glm::dvec3(a);
+  const glm::dvec3 v = glm::dvec3(c) - glm::dvec3(a);
+  const double x = u.y * v.z - u.z * v.y;
+  const double y = u.z * v.x - u.x * v.z;
+  const double z = u.x * v.y - u.y * v.x;
+  const double length = std::sqrt((x * x + y * y) + z * z);
+  const double scale = std::isfinite(length) && length > 0.0 ? 1.0 / length : 0.0;
+  if (!(scale > 0.0 && std::isfinite(scale))) return glm::vec3(0.0F);
+  return glm::vec3(static_cast<float>(x * scale), static_cast<float>(y * scale), static_cast<float>(z * scale));
 }
 
 }  // namespace
 
-glm::vec3 unit_or_zero(const glm::vec3& v) noexcept {
-  float x = v.x;
-  float y = v.y;
-  float z = v.z;
-  float square = (x * x + y * y) + z * z;
-  if (!(square > 1e-30F && square < 1e30F)) {
-    // Too short or too long to be squared in a float: bring the largest component to 1 first.
-    const float size = larger(larger(std::abs(x), std::abs(y)), std::abs(z));
-    if (!(size > 0.0F)) return glm::vec3(0.0F);
-    x = x / size;
-    y = y / size;
-    z = z / size;
-    square = (x * x + y * y) + z * z;
-  }
-  const float length = std::sqrt(square);
-  return glm::vec3(x / length, y / length, z / length);
-}
-
 PreparedLights prepare(const Lighting& lighting) noexcept {
-  const glm::vec3 sky = sane(lighting.ambient_sky);
-  const glm::vec3 ground = sane(lighting.ambient_ground);
   PreparedLights lights{};
-  lights.key_direction = direction(lighting.key_direction);
-  lights.key_colour = sane(lighting.key_colour);
-  lights.fill_direction = direction(lighting.fill_direction);
-  lights.fill_colour = sane(lighting.fill_colour);
-  for (int channel = 0; channel < 3; ++channel) {
-    lights.ambient_middle[channel] = 0.5F * sky[channel] + 0.5F * ground[channel];
-    lights.ambient_swing[channel] = 0.5F * sky[channel] - 0.5F * ground[channel];
+  set_direction(lighting.key_direction, lights.key_direction);
+  set_direction(lighting.fill_direction, lights.fill_direction);
+  for (int c = 0; c < 3; ++c) {
+    lights.key_colour[c] = sane(lighting.key_colour[c]);
+    lights.fill_colour[c] = sane(lighting.fill_colour[c]);
+    const float sky = sane(lighting.ambient_sky[c]);
+    const float ground = sane(lighting.ambient_ground[c]);
+    lights.ambient_middle[c] = 0.5F * sky + 0.5F * ground;
+    lights.ambient_swing[c] = 0.5F * sky - 0.5F * ground;
   }
   return lights;
 }
 
-glm::vec3 received_light(const PreparedLights& lights, const glm::vec3& normal) noexcept {
-  const float key = larger(dot(normal, lights.key_direction), 0.0F);
-  const float fill = larger(dot(normal, lights.fill_direction), 0.0F);
-  glm::vec3 light(0.0F);
-  for (int channel = 0; channel < 3; ++channel) {
-    const float ambient = lights.ambient_middle[channel] + normal.y * lights.ambient_swing[channel];
-    light[channel] = (ambient + key * lights.key_colour[channel]) + fill * lights.fill_colour[channel];
+uint32_t flat_colour(const MeshView& mesh, const uint32_t corner[3], const Placement& placement,
+                     const PreparedLights& lights) noexcept {
+  const glm::vec3 normal = face_normal(mesh.positions[corner[0]], mesh.positions[corner[1]], mesh.positions[corner[2]]);
+  const glm::vec3 world = world_normal(placement, normal);
+  const float key = larger(dot(lights.key_direction, world), 0.0F);
+  const float fill = larger(dot(lights.fill_direction, world), 0.0F);
+  uint32_t pixel = 0;
+  for (int c = 0; c < 3; ++c) {
+    const float ambient = lights.ambient_middle[c] + world.y * lights.ambient_swing[c];
+    const float light = (ambient + key * lights.key_colour[c]) + fill * lights.fill_colour[c];
+    float surface = 0.0F;
+    for (int i = 0; i < 3; ++i)
+      surface = surface + linear_from_srgb(mesh.colours[corner[i]][c]);
+    pixel = (pixel << 8U) | static_cast<uint32_t>(srgb_level_from_linear(light * (surface / 3.0F)) + 0.5F);
   }
-  return light;
+  return pixel;
 }
 
 }  // namespace auslan::raster

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The same bytes everywhere: digests of fixed frames against one committed list, whatever compiled and ran this.
-#include "raster_scene.h"
+#include "raster_digest.h"
+#include "raster_screen.h"
 
 #include <fstream>
 #include <map>
@@ -10,44 +11,8 @@
 namespace auslan::raster {
 namespace {
 
-// FNV-1a, 64 bits, over the bytes of the pixels from low to high.
-std::string digest(const std::vector<uint32_t>& pixels) {
-  uint64_t hash = 0xCBF29CE484222325ULL;
-  for (const uint32_t pixel : pixels) {
-    for (uint32_t shift = 0; shift < 32; shift += 8)
-      hash = (hash ^ ((pixel >> shift) & 255U)) * 0x100000001B3ULL;
-  }
-  std::string text(16, '0');
-  for (size_t i = 0; i < 16; ++i)
-    text[i] = "0123456789abcdef"[(hash >> (60U - 4U * i)) & 15U];
-  return text;
-}
-
-struct FrameKind {
-  int width, height, samples;
-  Shading shading;
-
-  std::string name() const {
-    std::ostringstream out;
-    out << width << 'x' << height << '_' << samples << (shading == Shading::kFlat ? "_flat" : "_gouraud");
-    return out.str();
-  }
-};
-
-std::vector<FrameKind> frame_kinds() {
-  std::vector<FrameKind> kinds;
-  for (const int samples : {1, 2, 4, 8}) {
-    for (const Shading shading : {Shading::kFlat, Shading::kGouraud})
-      kinds.push_back({320, 180, samples, shading});
-  }
-  kinds.push_back({1280, 720, 4, Shading::kGouraud});
-  kinds.push_back({640, 480, 1, Shading::kGouraud});
-  kinds.push_back({333, 217, 2, Shading::kGouraud});
-  kinds.push_back({17, 1031, 8, Shading::kFlat});
-  kinds.push_back({16384, 3, 1, Shading::kGouraud});
-  kinds.push_back({1, 1, 8, Shading::kGouraud});
-  return kinds;
-}
+class RasterDigests : public OnEveryKernel {};
+ON_EVERY_KERNEL(RasterDigests);
 
 std::map<std::string, std::string> committed() {
   std::map<std::string, std::string> list;
@@ -62,27 +27,29 @@ std::map<std::string, std::string> committed() {
   return list;
 }
 
-TEST(RasterDigests, EveryFrameHasItsCommittedBytes) {
+TEST_P(RasterDigests, EveryFrameHasItsCommittedBytes) {
   const std::map<std::string, std::string> list = committed();
   const std::vector<FrameKind> kinds = frame_kinds();
   EXPECT_EQ(list.size(), kinds.size()) << "tests/determinism/raster_digests.txt should name each frame once";
   const Scene scene;
-  Renderer renderer;
-  for (const FrameKind& kind : kinds) {
-    std::vector<uint32_t> pixels;
-    draw_scene(renderer, scene, kind.width, kind.height, kind.samples, kind.shading, pixels);
-    const auto found = list.find(kind.name());
-    EXPECT_TRUE(found != list.end() && found->second == digest(pixels))
-        << "the frame changed, or is new. When that is meant, look at it and put this line into "
-           "tests/determinism/raster_digests.txt:\n"
-        << kind.name() << ' ' << digest(pixels);
+  for (const int threads : {1, 3}) {
+    Renderer renderer(threads, GetParam());
+    for (const FrameKind& kind : kinds) {
+      std::vector<uint32_t> pixels;
+      draw_scene(renderer, scene, kind.width, kind.height, kind.samples, kind.shading, pixels);
+      const auto found = list.find(kind.name());
+      EXPECT_TRUE(found != list.end() && found->second == digest(pixels))
+          << "the frame changed, or is new. When that is meant, look at it and put this line into "
+             "tests/determinism/raster_digests.txt:\n"
+          << kind.name() << ' ' << digest(pixels);
+    }
   }
 }
 
 // Frames that differ have digests that differ, so that equal digests say something.
-TEST(RasterDigests, DigestTellsOnePixelApart) {
+TEST_P(RasterDigests, DigestTellsOnePixelApart) {
   const Scene scene;
-  Renderer renderer;
+  Renderer renderer(1, GetParam());
   std::vector<uint32_t> pixels;
   draw_scene(renderer, scene, 320, 180, 1, Shading::kFlat, pixels);
   const std::string before = digest(pixels);
@@ -90,9 +57,9 @@ TEST(RasterDigests, DigestTellsOnePixelApart) {
   EXPECT_NE(digest(pixels), before);
 }
 
-TEST(RasterDigests, DrawingTwiceGivesTheSameBytes) {
+TEST_P(RasterDigests, DrawingTwiceGivesTheSameBytes) {
   const Scene scene;
-  Renderer warm;
+  Renderer warm(1, GetParam());
   std::vector<uint32_t> first;
   std::vector<uint32_t> between;
   std::vector<uint32_t> second;
@@ -102,15 +69,15 @@ TEST(RasterDigests, DrawingTwiceGivesTheSameBytes) {
     draw_scene(warm, scene, 77, 301, samples == 1 ? 8 : 1, Shading::kFlat, between);
     draw_scene(warm, scene, 320, 180, samples, Shading::kGouraud, second);
     EXPECT_EQ(first, second) << samples;
-    Renderer cold;
+    Renderer cold(1, GetParam());
     draw_scene(cold, scene, 320, 180, samples, Shading::kGouraud, fresh);
     EXPECT_EQ(first, fresh) << samples;
   }
 }
 
-// The strips that a frame is filled in leave no seam: a frame's middle looks the same wherever the strips fall. Moving
+// The tiles that a frame is filled in leave no seam: a frame's middle looks the same wherever their borders fall. Moving
 // the picture by whole pixels moves it exactly, because the grid of 1/256 pixel moves with it.
-TEST(RasterDigests, StripsLeaveNoSeam) {
+TEST_P(RasterDigests, TilesLeaveNoSeam) {
   Random random(91);
   std::vector<Triangle> triangles;
   for (int i = 0; i < 60; ++i) {
@@ -120,24 +87,25 @@ TEST(RasterDigests, StripsLeaveNoSeam) {
     triangles.push_back(t);
   }
   for (const int samples : {1, 4}) {
+    constexpr int kShiftX = 11;
+    constexpr int kShiftY = 7;
     Screen still(128, 128, samples);
     Screen moved(128, 128, samples);
-    constexpr int kShift = 7;
     for (size_t i = 0; i < triangles.size(); ++i) {
       const auto red = static_cast<uint8_t>(i * 4);
       Triangle t = triangles[i];
       for (Point& p : t)
-        p.y += 32 * 256;
+        p = {p.x + 32 * 256, p.y + 32 * 256};
       still.add(t, glm::u8vec4(red, 255, 9, 255), 0.25F + 0.01F * static_cast<float>(i));
       for (Point& p : t)
-        p.y += kShift * 256;
+        p = {p.x + kShiftX * 256, p.y + kShiftY * 256};
       moved.add(t, glm::u8vec4(red, 255, 9, 255), 0.25F + 0.01F * static_cast<float>(i));
     }
     still.end();
     moved.end();
-    for (int row = 0; row + kShift < 128; ++row) {
-      for (int column = 0; column < 128; ++column) {
-        ASSERT_EQ(still.pixel(column, row), moved.pixel(column, row + kShift)) << column << ", " << row;
+    for (int row = 0; row + kShiftY < 128; ++row) {
+      for (int column = 0; column + kShiftX < 128; ++column) {
+        ASSERT_EQ(still.pixel(column, row), moved.pixel(column + kShiftX, row + kShiftY)) << column << ", " << row;
       }
     }
   }

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 // A fixed scene for the rasteriser, made with nothing but IEEE arithmetic: a lit sphere, cubes, crossing needles, a
-// mirrored and squashed copy, a rod that comes out of the camera, and a floor that runs under it.
+// mirrored and squashed copy, a rod that comes out of the camera, and a floor that runs under it. Knows no test library,
+// so that it compiles where there is none.
 #pragma once
 
-#include "raster_screen.h"
+#include "raster/renderer.h"
+#include "raster_random.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <span>
+#include <stdexcept>
 #include <vector>
 
 namespace auslan::raster {
@@ -118,13 +124,48 @@ struct Scene {
   SceneMesh ground = make_floor();
 };
 
-/// Draws the scene; `pixels` gets width * height pixels.
-inline void draw_scene(Renderer& renderer, const Scene& scene, int width, int height, int samples, Shading shading,
-                       std::vector<uint32_t>& pixels) {
-  pixels.resize(pixel_count(width, height));
-  ASSERT_EQ(renderer.begin_frame(width, height, samples, 0x203448U), Status::kOk);
-  renderer.set_camera(look_at(glm::vec3(0.4F, 0.3F, 3.0F), glm::vec3(0.0F), glm::vec3(0.0F, 1.0F, 0.0F), 2.2F,
-                              static_cast<float>(width) / static_cast<float>(height), 0.05F));
+/// One call of Renderer::draw and the light and camera under which it is made.
+struct SceneDraw {
+  MeshView mesh;
+  glm::mat4 world_from_mesh{1.0F};
+  Shading shading = Shading::kFlat;
+  CullMode cull = CullMode::kBack;
+  Camera camera;
+  Lighting lighting;
+};
+
+struct FrameSize {
+  int width = 0, height = 0, samples = 1;
+  uint32_t background = 0x203448U;
+};
+
+inline size_t triangle_count(std::span<const SceneDraw> draws) {
+  size_t count = 0;
+  for (const SceneDraw& draw : draws)
+    count += draw.mesh.indices.size() / 3;
+  return count;
+}
+
+/// Draws the first `triangles` triangles of a list; `pixels` gets width * height pixels. Throws what a renderer says.
+inline void draw_list(Renderer& renderer, std::span<const SceneDraw> draws, const FrameSize& size,
+                      std::vector<uint32_t>& pixels, size_t triangles = SIZE_MAX, Canvas canvas = Canvas::kUnknown) {
+  pixels.resize(pixel_count(size.width, size.height));
+  if (renderer.begin_frame(size.width, size.height, size.samples, size.background) != Status::kOk) {
+    throw std::runtime_error("begin_frame refuses the frame");
+  }
+  for (const SceneDraw& draw : draws) {
+    MeshView mesh = draw.mesh;
+    const size_t wanted = std::min(triangles, mesh.indices.size() / 3);
+    if (wanted < mesh.indices.size() / 3) mesh.indices = mesh.indices.first(3 * wanted);
+    if (triangles != SIZE_MAX) triangles -= wanted;
+    renderer.set_camera(draw.camera);
+    renderer.set_lighting(draw.lighting);
+    renderer.draw(mesh, draw.world_from_mesh, draw.shading, draw.cull);
+  }
+  if (renderer.end_frame(pixels, canvas) != Status::kOk) throw std::runtime_error("end_frame refuses the pixels");
+}
+
+inline Lighting scene_lighting() {
   Lighting lighting;
   lighting.key_direction = glm::vec3(1.0F, 1.5F, 1.0F);
   lighting.key_colour = glm::vec3(0.75F, 0.72F, 0.68F);
@@ -132,14 +173,33 @@ inline void draw_scene(Renderer& renderer, const Scene& scene, int width, int he
   lighting.fill_colour = glm::vec3(0.12F, 0.14F, 0.2F);
   lighting.ambient_sky = glm::vec3(0.2F, 0.22F, 0.25F);
   lighting.ambient_ground = glm::vec3(0.1F, 0.08F, 0.06F);
-  renderer.set_lighting(lighting);
-  renderer.draw(scene.ground.view(), glm::mat4(1.0F), Shading::kGouraud);
-  renderer.draw(scene.sphere.view(), scene_place(0.5F, 0.5F, 0.5F, 0.0F, 0.0F, 0.0F), shading);
-  renderer.draw(scene.sphere.view(), scene_place(-0.2F, 0.35F, 0.1F, -0.9F, 0.1F, 0.4F), shading);
-  renderer.draw(scene.cube.view(), scene_place(0.25F, 0.25F, 0.25F, 0.85F, -0.2F, 0.3F), shading);
-  renderer.draw(scene.cube.view(), scene_place(0.003F, 0.003F, 0.8F, 0.4F, 0.285F, 3.0F), shading);
-  renderer.draw(scene.needles.view(), glm::mat4(1.0F), shading, CullMode::kNone);
-  ASSERT_EQ(renderer.end_frame(pixels), Status::kOk);
+  return lighting;
+}
+
+inline Camera scene_camera(int width, int height) {
+  return look_at(glm::vec3(0.4F, 0.3F, 3.0F), glm::vec3(0.0F), glm::vec3(0.0F, 1.0F, 0.0F), 2.2F,
+                 static_cast<float>(width) / static_cast<float>(height), 0.05F);
+}
+
+/// The scene as a list; `scene` must outlive it.
+inline std::vector<SceneDraw> scene_draws(const Scene& scene, int width, int height, Shading shading) {
+  std::vector<SceneDraw> draws;
+  const auto add = [&](const SceneMesh& mesh, const glm::mat4& place, Shading how, CullMode cull = CullMode::kBack) {
+    draws.push_back({mesh.view(), place, how, cull, scene_camera(width, height), scene_lighting()});
+  };
+  add(scene.ground, glm::mat4(1.0F), Shading::kGouraud);
+  add(scene.sphere, scene_place(0.5F, 0.5F, 0.5F, 0.0F, 0.0F, 0.0F), shading);
+  add(scene.sphere, scene_place(-0.2F, 0.35F, 0.1F, -0.9F, 0.1F, 0.4F), shading);
+  add(scene.cube, scene_place(0.25F, 0.25F, 0.25F, 0.85F, -0.2F, 0.3F), shading);
+  add(scene.cube, scene_place(0.003F, 0.003F, 0.8F, 0.4F, 0.285F, 3.0F), shading);
+  add(scene.needles, glm::mat4(1.0F), shading, CullMode::kNone);
+  return draws;
+}
+
+/// Draws the scene; `pixels` gets width * height pixels.
+inline void draw_scene(Renderer& renderer, const Scene& scene, int width, int height, int samples, Shading shading,
+                       std::vector<uint32_t>& pixels) {
+  draw_list(renderer, scene_draws(scene, width, height, shading), {width, height, samples}, pixels);
 }
 
 }  // namespace auslan::raster

@@ -1,39 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests of the rasteriser: triangles given directly on its sub-pixel grid, a seeded generator, and the exact rule
-// for which points a triangle covers.
+// For tests of the rasteriser: triangles given directly on its sub-pixel grid, the exact rule for which points a triangle
+// covers, and tests that run on every kernel.
 #pragma once
 
 #include "raster/renderer.h"
+#include "raster_random.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <gtest/gtest.h>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace auslan::raster {
-
-/// SplitMix64: the same numbers on every machine.
-class Random {
- public:
-  explicit Random(uint64_t seed) : state_(seed) {}
-  uint64_t next() {
-    state_ += 0x9E3779B97F4A7C15ULL;
-    uint64_t z = state_;
-    z = (z ^ (z >> 30U)) * 0xBF58476D1CE4E5B9ULL;
-    z = (z ^ (z >> 27U)) * 0x94D049BB133111EBULL;
-    return z ^ (z >> 31U);
-  }
-  /// A whole number from `low` to `high`, both included.
-  int64_t between(int64_t low, int64_t high) {
-    return low + static_cast<int64_t>(next() % static_cast<uint64_t>(high - low + 1));
-  }
-  /// A number from `low` to `high`.
-  float real(float low, float high) { return low + (high - low) * (static_cast<float>(next() >> 40U) / 16777216.0F); }
-
- private:
-  uint64_t state_;
-};
 
 /// A point on the screen in 1/256 pixel from the top-left corner, y down.
 struct Point {
@@ -74,19 +56,47 @@ inline Point centre(int column, int row) {
   return {int64_t{column} * 256 + 128, int64_t{row} * 256 + 128};
 }
 
+/// The kernel of every Screen that is made from now on.
+inline Kernel& kernel_under_test() {
+  static Kernel kernel = chosen_kernel().value_or(Kernel::kScalar);
+  return kernel;
+}
+
+/// A fixture whose tests run once with each kernel that runs here; ON_EVERY_KERNEL(Suite) after the class.
+class OnEveryKernel : public testing::TestWithParam<Kernel> {
+ protected:
+  void SetUp() override { kernel_under_test() = GetParam(); }
+};
+
+inline std::string kernel_test_name(const testing::TestParamInfo<Kernel>& kernel) {
+  return std::string(name_of(kernel.param));
+}
+
+inline std::vector<Kernel> kernels_here() {
+  const std::span<const Kernel> kernels = runnable_kernels();
+  return {kernels.begin(), kernels.end()};
+}
+
+#define ON_EVERY_KERNEL(suite) \
+  INSTANTIATE_TEST_SUITE_P(Kernel, suite, testing::ValuesIn(kernels_here()), kernel_test_name)
+
 /// A renderer whose clip space is the world, lit by full white light: colours arrive as they are. Sizes that are powers
 /// of two put points of the grid exactly where they belong.
 class Screen {
  public:
-  Screen(int width, int height, int samples = 1) : width_(width), height_(height), samples_(samples) {
+  Screen(int width, int height, int samples = 1, int threads = 1)
+      : renderer(threads, kernel_under_test()), width_(width), height_(height), samples_(samples) {
     pixels.resize(pixel_count(width, height));
     begin();
   }
 
+  /// Starts a frame; the meshes of the last one are gone then.
   void begin(uint32_t background = 0) {
     ASSERT_EQ(renderer.begin_frame(width_, height_, samples_, background), Status::kOk);
     renderer.set_camera(Camera{});
     renderer.set_lighting(Lighting{});
+    single_.clear();
+    kept_.clear();
   }
 
   /// Where a grid point lies in clip space, w = 1.
@@ -99,10 +109,23 @@ class Screen {
 
   void add(const Triangle& triangle, const glm::u8vec4& colour = glm::u8vec4(255), float depth = 0.5F,
            CullMode cull = CullMode::kNone) {
-    const glm::vec3 positions[3] = {place(triangle[0], depth), place(triangle[1], depth), place(triangle[2], depth)};
-    const glm::u8vec4 colours[3] = {colour, colour, colour};
-    const uint32_t indices[3] = {0, 1, 2};
-    renderer.draw(MeshView{positions, {}, colours, indices}, glm::mat4(1.0F), Shading::kFlat, cull);
+    add_single({place(triangle[0], depth), place(triangle[1], depth), place(triangle[2], depth)}, colour, cull);
+  }
+
+  /// One flat triangle, anywhere.
+  void add_single(const std::array<glm::vec3, 3>& positions, const glm::u8vec4& colour, CullMode cull) {
+    static constexpr uint32_t kIndices[3] = {0, 1, 2};
+    const Single& kept = single_.emplace_back(Single{positions, {colour, colour, colour}});
+    renderer.draw(MeshView{kept.positions, {}, kept.colours, kIndices}, glm::mat4(1.0F), Shading::kFlat, cull);
+  }
+
+  /// A mesh that this screen keeps for the rest of the frame.
+  void add_mesh(std::vector<glm::vec3> positions, std::vector<glm::vec3> normals, std::vector<glm::u8vec4> colours,
+                std::vector<uint32_t> indices, Shading shading, CullMode cull = CullMode::kNone,
+                const glm::mat4& world = glm::mat4(1.0F)) {
+    const Kept& kept =
+        kept_.emplace_back(Kept{std::move(positions), std::move(normals), std::move(colours), std::move(indices)});
+    renderer.draw(MeshView{kept.positions, kept.normals, kept.colours, kept.indices}, world, shading, cull);
   }
 
   void end() { ASSERT_EQ(renderer.end_frame(pixels), Status::kOk); }
@@ -117,6 +140,18 @@ class Screen {
   std::vector<uint32_t> pixels;
 
  private:
+  // A renderer reads its meshes until the frame ends; the elements of a deque stay where they are.
+  struct Single {
+    std::array<glm::vec3, 3> positions;
+    std::array<glm::u8vec4, 3> colours;
+  };
+  struct Kept {
+    std::vector<glm::vec3> positions, normals;
+    std::vector<glm::u8vec4> colours;
+    std::vector<uint32_t> indices;
+  };
+  std::deque<Single> single_;
+  std::deque<Kept> kept_;
   int width_;
   int height_;
   int samples_;

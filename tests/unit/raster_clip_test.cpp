@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Triangles that cross the near plane, the far plane and the guard band, against exact half-spaces.
 #include "clip.h"
+#include "placement.h"
 #include "raster_screen.h"
 
 #include <algorithm>
@@ -8,6 +9,9 @@
 
 namespace auslan::raster {
 namespace {
+
+class Clip : public OnEveryKernel {};
+ON_EVERY_KERNEL(Clip);
 
 constexpr int kSize = 32;
 constexpr double kNear = 0.5;
@@ -70,15 +74,13 @@ Camera eye_at_origin() {
 }
 
 void draw_solid(Screen& screen, const Solid& t, CullMode cull = CullMode::kNone) {
-  glm::vec3 positions[3];
+  std::array<glm::vec3, 3> positions;
   for (size_t i = 0; i < 3; ++i) {
     positions[i] = glm::vec3(static_cast<float>(static_cast<double>(t[i].x) * kUnit),
                              static_cast<float>(static_cast<double>(t[i].y) * kUnit),
                              static_cast<float>(static_cast<double>(t[i].z) * kUnit));
   }
-  const glm::u8vec4 colours[3] = {glm::u8vec4(255), glm::u8vec4(255), glm::u8vec4(255)};
-  const uint32_t indices[3] = {0, 1, 2};
-  screen.renderer.draw(MeshView{positions, {}, colours, indices}, glm::mat4(1.0F), Shading::kFlat, cull);
+  screen.add_single(positions, glm::u8vec4(255), cull);
 }
 
 void compare(int count, uint64_t seed, int64_t sideways, int64_t behind, int64_t ahead) {
@@ -119,16 +121,16 @@ void compare(int count, uint64_t seed, int64_t sideways, int64_t behind, int64_t
   EXPECT_LT(unsure * 20, inside + outside) << "the reference should be sure of nearly all pixels";
 }
 
-TEST(Clip, NearPlaneAgainstExactHalfSpaces) {
+TEST_P(Clip, NearPlaneAgainstExactHalfSpaces) {
   compare(8000, 40, 200, 100, 300);
 }
 
 // Corners far to the side and just in front of the near plane project far outside the guard band of a small frame.
-TEST(Clip, GuardBandAgainstExactHalfSpaces) {
+TEST_P(Clip, GuardBandAgainstExactHalfSpaces) {
   compare(4000, 41, 400000, 30000, 60000);
 }
 
-TEST(Clip, FrontsStayFrontsWhenCut) {
+TEST_P(Clip, FrontsStayFrontsWhenCut) {
   Random random(42);
   Screen screen(kSize, kSize);
   int visible = 0;
@@ -154,7 +156,7 @@ TEST(Clip, FrontsStayFrontsWhenCut) {
 
 // A jittered floor that runs from behind the eye to the horizon: cut triangles share their edges without a gap or
 // overlap.
-TEST(Clip, CutTrianglesWithACommonEdgeDrawEveryPixelOnce) {
+TEST_P(Clip, CutTrianglesWithACommonEdgeDrawEveryPixelOnce) {
   for (uint64_t seed = 0; seed < 4; ++seed) {
     Random random(50 + seed);
     Screen screen(kSize, kSize);
@@ -205,7 +207,7 @@ TEST(Clip, CutTrianglesWithACommonEdgeDrawEveryPixelOnce) {
 }
 
 // Two triangles name their common edge in opposite directions; the corner at which it is cut has the same bits in both.
-TEST(Clip, ACommonEdgeIsCutAtTheSameBitsInBothTriangles) {
+TEST(ClipBits, ACommonEdgeIsCutAtTheSameBitsInBothTriangles) {
   Random random(45);
   const Viewport viewport = make_viewport(64, 64);
   for (int i = 0; i < 5000; ++i) {
@@ -246,7 +248,7 @@ TEST(Clip, ACommonEdgeIsCutAtTheSameBitsInBothTriangles) {
   }
 }
 
-TEST(Clip, FarPlaneOfAParallelCameraCutsExactly) {
+TEST_P(Clip, FarPlaneOfAParallelCameraCutsExactly) {
   // A wall slanted in x from distance 0 to 4 m; far plane at 3 m, near plane at 1 m: only the middle half is seen.
   Screen screen(64, 64);
   screen.renderer.set_camera(look_at_parallel(glm::vec3(0.0F), glm::vec3(0.0F, 0.0F, -1.0F),
@@ -264,7 +266,7 @@ TEST(Clip, FarPlaneOfAParallelCameraCutsExactly) {
   }
 }
 
-TEST(Clip, StatsAddUp) {
+TEST_P(Clip, StatsAddUp) {
   Random random(60);
   Screen screen(kSize, kSize);
   screen.renderer.set_camera(eye_at_origin());
@@ -274,6 +276,7 @@ TEST(Clip, StatsAddUp) {
       c = {random.between(-300, 300), random.between(-300, 300), random.between(-300, 100)};
     draw_solid(screen, t, CullMode::kBack);
   }
+  screen.end();
   const DrawStats& stats = screen.renderer.stats();
   EXPECT_EQ(stats.submitted, 1000U);
   EXPECT_EQ(stats.submitted, stats.rejected + stats.culled + stats.drawn);

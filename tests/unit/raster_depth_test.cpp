@@ -8,6 +8,9 @@
 namespace auslan::raster {
 namespace {
 
+class Depth : public OnEveryKernel {};
+ON_EVERY_KERNEL(Depth);
+
 // A fine jittered sheet of `cells` x `cells` squares, `size` metres wide, in the plane z = 0, one colour.
 struct Sheet {
   std::vector<glm::vec3> positions;
@@ -45,7 +48,7 @@ glm::mat4 placed(float sine, float cosine, float z) {
   return m;
 }
 
-TEST(Depth, TwoMillimetresAreToldApartFromThirtyCentimetresToThreeMetres) {
+TEST_P(Depth, TwoMillimetresAreToldApartFromThirtyCentimetresToThreeMetres) {
   const struct { float sine, cosine; } turns[] = {{0.0F, 1.0F}, {0.6F, 0.8F}, {-0.8F, 0.6F}, {0.96F, 0.28F}};
   Random random(70);
   for (const float distance : {0.3F, 0.6F, 1.0F, 1.7F, 3.0F}) {
@@ -85,7 +88,7 @@ TEST(Depth, TwoMillimetresAreToldApartFromThirtyCentimetresToThreeMetres) {
   }
 }
 
-TEST(Depth, NearerWinsAndTheFirstStaysAtEqualDepth) {
+TEST_P(Depth, NearerWinsAndTheFirstStaysAtEqualDepth) {
   const Triangle whole = {Point{-99, -99}, Point{-99, 99999}, Point{99999, -99}};
   Screen screen(16, 16);
   screen.add(whole, glm::u8vec4(1, 0, 0, 255), 0.5F);
@@ -102,7 +105,7 @@ TEST(Depth, NearerWinsAndTheFirstStaysAtEqualDepth) {
     ASSERT_EQ(red_of(pixel), 2U);
 }
 
-TEST(Depth, OrderOfTrianglesDoesNotChangeThePicture) {
+TEST_P(Depth, OrderOfTrianglesDoesNotChangeThePicture) {
   Random random(71);
   for (const int samples : {1, 2, 4, 8}) {
     for (int scene = 0; scene < 40; ++scene) {
@@ -137,7 +140,7 @@ TEST(Depth, OrderOfTrianglesDoesNotChangeThePicture) {
 }
 
 // Two walls that pass through each other meet in a straight line where their depths are equal.
-TEST(Depth, CrossingWallsMeetWhereTheirDepthsAreEqual) {
+TEST_P(Depth, CrossingWallsMeetWhereTheirDepthsAreEqual) {
   Screen screen(64, 64);
   const glm::vec3 positions[8] = {glm::vec3(-1, -1, 0.25F), glm::vec3(1, -1, 0.75F), glm::vec3(1, 1, 0.75F),
                                   glm::vec3(-1, 1, 0.25F),  glm::vec3(-1, -1, 0.6F), glm::vec3(1, -1, 0.6F),

@@ -11,6 +11,11 @@ namespace {
 
 constexpr uint32_t kWhite = 0xFFFFFFU;
 
+class FillRule : public OnEveryKernel {};
+ON_EVERY_KERNEL(FillRule);
+class SharedEdges : public OnEveryKernel {};
+ON_EVERY_KERNEL(SharedEdges);
+
 std::string text(const Triangle& t) {
   std::ostringstream out;
   for (const Point& p : t)
@@ -50,7 +55,7 @@ Point anywhere(Random& r, int64_t margin, int64_t width, int64_t height) {
   return {x, y};
 }
 
-TEST(FillRule, RandomTriangles) {
+TEST_P(FillRule, RandomTriangles) {
   expect_exact(32, 16, 80000, 1, [](Random& r) {
     const Point a = anywhere(r, 2000, 32, 16);
     const Point b = anywhere(r, 2000, 32, 16);
@@ -60,7 +65,7 @@ TEST(FillRule, RandomTriangles) {
 }
 
 // Corners on pixel centres and corners: edges pass exactly through many centres, so that the rule for ties decides.
-TEST(FillRule, TrianglesOnTheHalfPixelLattice) {
+TEST_P(FillRule, TrianglesOnTheHalfPixelLattice) {
   expect_exact(16, 16, 60000, 2, [](Random& r) {
     Triangle t;
     for (Point& p : t) {
@@ -71,7 +76,7 @@ TEST(FillRule, TrianglesOnTheHalfPixelLattice) {
   });
 }
 
-TEST(FillRule, SubPixelTriangles) {
+TEST_P(FillRule, SubPixelTriangles) {
   expect_exact(4, 4, 60000, 3, [](Random& r) {
     const Point a = anywhere(r, 0, 4, 4);
     const Point b = {a.x + r.between(-200, 200), a.y + r.between(-200, 200)};
@@ -80,7 +85,7 @@ TEST(FillRule, SubPixelTriangles) {
   });
 }
 
-TEST(FillRule, Slivers) {
+TEST_P(FillRule, Slivers) {
   expect_exact(32, 16, 30000, 4, [](Random& r) {
     const Point a = anywhere(r, 3000, 32, 16);
     const Point b = anywhere(r, 3000, 32, 16);
@@ -90,7 +95,7 @@ TEST(FillRule, Slivers) {
   });
 }
 
-TEST(FillRule, NeedlesThatReachFarBeyondTheFrame) {
+TEST_P(FillRule, NeedlesThatReachFarBeyondTheFrame) {
   expect_exact(32, 16, 20000, 5, [](Random& r) {
     const Point a = anywhere(r, 0, 32, 16);
     const Point b = anywhere(r, 4000000, 32, 16);
@@ -99,13 +104,13 @@ TEST(FillRule, NeedlesThatReachFarBeyondTheFrame) {
   });
 }
 
-TEST(FillRule, ScreenCoveringTriangles) {
+TEST_P(FillRule, ScreenCoveringTriangles) {
   expect_exact(32, 16, 20000, 6, [](Random& r) {
     return Triangle{anywhere(r, 4000000, 32, 16), anywhere(r, 4000000, 32, 16), anywhere(r, 4000000, 32, 16)};
   });
 }
 
-TEST(FillRule, ZeroAreaCoversNothing) {
+TEST_P(FillRule, ZeroAreaCoversNothing) {
   Random random(7);
   Screen screen(16, 16);
   for (int i = 0; i < 2000; ++i) {
@@ -122,7 +127,7 @@ TEST(FillRule, ZeroAreaCoversNothing) {
   }
 }
 
-TEST(FillRule, OffScreenTrianglesLeaveTheBackground) {
+TEST_P(FillRule, OffScreenTrianglesLeaveTheBackground) {
   Random random(8);
   Screen screen(16, 16);
   for (int i = 0; i < 2000; ++i) {
@@ -139,7 +144,7 @@ TEST(FillRule, OffScreenTrianglesLeaveTheBackground) {
 }
 
 // The widest and tallest frames, where a 32-bit edge function or a float would overflow or round.
-TEST(FillRule, LargestFrames) {
+TEST_P(FillRule, LargestFrames) {
   const auto make = [](int64_t width, int64_t height) {
     return [width, height](Random& r) {
       const int64_t reach_x = width == 16384 ? 2090000 : 4000000;
@@ -158,7 +163,7 @@ TEST(FillRule, LargestFrames) {
 }
 
 // Sizes that are not powers of two: the projection rounds, but by far less than half a sub-pixel near the frame.
-TEST(FillRule, OddFrameSizes) {
+TEST_P(FillRule, OddFrameSizes) {
   for (const int size : {1, 3, 7, 33}) {
     expect_exact(size, 9, 3000, 11, [size](Random& r) {
       const Point a = anywhere(r, 600, size, 9);
@@ -169,7 +174,7 @@ TEST(FillRule, OddFrameSizes) {
   }
 }
 
-TEST(FillRule, BothWindingsCoverTheSamePixelsAndOnlyOneIsAFront) {
+TEST_P(FillRule, BothWindingsCoverTheSamePixelsAndOnlyOneIsAFront) {
   Random random(12);
   Screen screen(16, 16);
   for (int i = 0; i < 3000; ++i) {
@@ -201,7 +206,7 @@ std::vector<int> cover_counts(Screen& screen, const std::vector<Triangle>& trian
   return counts;
 }
 
-TEST(SharedEdges, RandomTriangulationDrawsEveryPixelOnce) {
+TEST_P(SharedEdges, RandomTriangulationDrawsEveryPixelOnce) {
   Random random(20);
   Screen screen(32, 32);
   for (int mesh = 0; mesh < 60; ++mesh) {
@@ -230,7 +235,7 @@ TEST(SharedEdges, RandomTriangulationDrawsEveryPixelOnce) {
   }
 }
 
-TEST(SharedEdges, FanDrawsEveryPixelOnce) {
+TEST_P(SharedEdges, FanDrawsEveryPixelOnce) {
   Random random(21);
   Screen screen(32, 32);
   for (int mesh = 0; mesh < 60; ++mesh) {
@@ -254,7 +259,7 @@ TEST(SharedEdges, FanDrawsEveryPixelOnce) {
   }
 }
 
-TEST(SharedEdges, JitteredGridDrawsEveryPixelOnce) {
+TEST_P(SharedEdges, JitteredGridDrawsEveryPixelOnce) {
   Random random(22);
   Screen screen(32, 32);
   constexpr size_t kCells = 10;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Multisampling: Direct3D's sample positions, exact coverage of each, and the average in linear light.
+// Multisampling: Direct3D's sample positions, exact coverage of each, and the root mean square of their levels.
 #include "raster_screen.h"
 
-#include <cmath>
+#include <tuple>
 
 namespace auslan::raster {
 namespace {
@@ -25,17 +25,35 @@ int covered_samples(const Triangle& t, int column, int row, int samples) {
   return count;
 }
 
-// The sRGB code of a fraction of full linear light.
-uint32_t code_of(int covered, int samples) {
-  const double light = static_cast<double>(covered) / samples;
-  const double s = light <= 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1.0 / 2.4) - 0.055;
-  return static_cast<uint32_t>(std::lround(255.0 * s));
+// The root mean square of `covered` samples of one level and the rest of another, rounded to nearest, a half upwards:
+// the greatest whole code with (code - 1/2)^2 <= mean of the squares. In whole numbers, so without any rounding.
+uint32_t code_of(int covered, int samples, uint32_t level = 255, uint32_t rest = 0) {
+  const auto inside = static_cast<uint32_t>(covered);
+  const auto all = static_cast<uint32_t>(samples);
+  const uint32_t squares = inside * level * level + (all - inside) * rest * rest;
+  uint32_t code = 0;
+  while ((2 * code + 1) * (2 * code + 1) * all <= 4 * squares)
+    ++code;
+  return code;
 }
 
-class Multisample : public testing::TestWithParam<int> {};
+class Multisample : public testing::TestWithParam<std::tuple<Kernel, int>> {
+ protected:
+  void SetUp() override { kernel_under_test() = std::get<0>(GetParam()); }
+  static int sample_count() { return std::get<1>(GetParam()); }
+};
 
-TEST_P(Multisample, EveryPixelIsTheLinearAverageOfItsExactSamples) {
-  const int samples = GetParam();
+TEST(RootMeanSquare, OfTheReferenceIsWhatTheFormulaSays) {
+  EXPECT_EQ(code_of(8, 8), 255U);
+  EXPECT_EQ(code_of(0, 8), 0U);
+  EXPECT_EQ(code_of(1, 2), 180U);           // 255 / sqrt(2) = 180.3
+  EXPECT_EQ(code_of(1, 4), 128U);           // 127.5
+  EXPECT_EQ(code_of(1, 8), 90U);            // 90.2
+  EXPECT_EQ(code_of(1, 2, 100, 200), 158U);  // sqrt(25000) = 158.1
+}
+
+TEST_P(Multisample, EveryPixelIsTheRootMeanSquareOfItsExactSamples) {
+  const int samples = sample_count();
   Random random(30);
   Screen screen(16, 16, samples);
   int64_t partial = 0;
@@ -47,15 +65,21 @@ TEST_P(Multisample, EveryPixelIsTheLinearAverageOfItsExactSamples) {
       p.y = random.between(-600 / grid, 4700 / grid) * grid;
     }
     if (i % 5 == 0) t[2] = Point{t[1].x + random.between(-20, 20), t[1].y + random.between(-20, 20)};
-    screen.begin();
-    screen.add(t);
+    // Every third is white on black, where all is seen of a wrong sample; the others have any colours.
+    const bool plain = i % 3 == 0;
+    const uint32_t behind = plain ? 0U : static_cast<uint32_t>(random.next() & 0xFFFFFFU);
+    const uint32_t front = plain ? 0xFFFFFFU : static_cast<uint32_t>(random.next() & 0xFFFFFFU);
+    screen.begin(behind);
+    screen.add(t, glm::u8vec4(red_of(front), green_of(front), blue_of(front), 255));
     screen.end();
     for (int row = 0; row < 16; ++row) {
       for (int column = 0; column < 16; ++column) {
         const int covered = covered_samples(t, column, row, samples);
         partial += covered > 0 && covered < samples ? 1 : 0;
-        const uint32_t code = code_of(covered, samples);
-        ASSERT_EQ(screen.pixel(column, row), pack_pixel(code, code, code))
+        ASSERT_EQ(screen.pixel(column, row),
+                  pack_pixel(code_of(covered, samples, red_of(front), red_of(behind)),
+                             code_of(covered, samples, green_of(front), green_of(behind)),
+                             code_of(covered, samples, blue_of(front), blue_of(behind))))
             << covered << " of " << samples << " samples, triangle " << i << ", pixel " << column << ", " << row;
       }
     }
@@ -64,7 +88,7 @@ TEST_P(Multisample, EveryPixelIsTheLinearAverageOfItsExactSamples) {
 }
 
 TEST_P(Multisample, TrianglesWithACommonEdgeShareTheSamplesOfEveryPixel) {
-  const int samples = GetParam();
+  const int samples = sample_count();
   Random random(31);
   Screen screen(16, 16, samples);
   for (int mesh = 0; mesh < 300; ++mesh) {
@@ -90,7 +114,7 @@ TEST_P(Multisample, TrianglesWithACommonEdgeShareTheSamplesOfEveryPixel) {
 
 // A background that shows through keeps its own value: averaging equal samples changes nothing, for every grey.
 TEST_P(Multisample, EqualSamplesGiveTheirColourBack) {
-  Screen screen(16, 16, GetParam());
+  Screen screen(16, 16, sample_count());
   for (uint32_t code = 0; code < 256; ++code) {
     const auto byte = static_cast<uint8_t>(code);
     screen.begin(0xFF00FFU);
@@ -104,7 +128,7 @@ TEST_P(Multisample, EqualSamplesGiveTheirColourBack) {
 
 // Depth belongs to the sample: two walls that meet inside a pixel share it, whichever is drawn first.
 TEST_P(Multisample, DepthIsPerSample) {
-  const int samples = GetParam();
+  const int samples = sample_count();
   const Triangle whole = {Point{-99, -99}, Point{-99, 99999}, Point{99999, -99}};
   Random random(33);
   for (int i = 0; i < 500; ++i) {
@@ -128,7 +152,12 @@ TEST_P(Multisample, DepthIsPerSample) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Samples, Multisample, testing::Values(1, 2, 4, 8));
+INSTANTIATE_TEST_SUITE_P(Samples, Multisample,
+                         testing::Combine(testing::ValuesIn(kernels_here()), testing::Values(1, 2, 4, 8)),
+                         [](const auto& test) {
+                           return std::string(name_of(std::get<0>(test.param))) + "_" +
+                                  std::to_string(std::get<1>(test.param));
+                         });
 
 }  // namespace
 }  // namespace auslan::raster

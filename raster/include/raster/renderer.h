@@ -5,14 +5,19 @@
 // functions are integers, pixel centres lie at half-integers, a sample on an edge belongs to the triangle only if the
 // edge is a top or a left one. On the screen x runs right and y runs down. Multisampling: Direct3D's standard sample
 // positions; coverage and depth per sample, colour once a pixel (at its centre, held within the range of the triangle's
-// three vertices), averaged over the samples in LINEAR light. Colour: lit per vertex (Gouraud) or per face (flat) in
+// three vertices). A pixel is the root mean square of its samples' sRGB levels, per channel, rounded to nearest: an
+// average of light with a display's gamma taken as 2 (README). Colour: lit per vertex (Gouraud) or per face (flat) in
 // linear light, encoded to sRGB levels, and interpolated in the ENCODED space; in perspective wherever the affine
 // shortcut could be off by more than 1/8 of a level. Depth: reversed (camera.h), nearer wins, at equal depth the
 // triangle drawn first stays.
+//
+// Every kernel (kernel.h) and every number of threads gives the same bytes, under the processor's default
+// floating-point modes (round to nearest, no flushing of denormal numbers).
 #pragma once
 
 #include "raster/camera.h"
 #include "raster/image.h"
+#include "raster/kernel.h"
 
 #include <cstdint>
 #include <glm/mat4x4.hpp>
@@ -23,12 +28,16 @@
 
 namespace auslan::raster {
 
-/// An indexed triangle mesh, read during the call of draw only. Triangles wind counter-clockwise seen from outside.
+/// An indexed triangle mesh. What the spans show must stay as it is from the call of draw to the end of end_frame.
+/// Triangles wind counter-clockwise seen from outside.
 struct MeshView {
   std::span<const glm::vec3> positions;  ///< mesh space
   std::span<const glm::vec3> normals;    ///< one per position, any length above 0; may be empty with Shading::kFlat
   std::span<const glm::u8vec4> colours;  ///< one per position: sRGB-encoded red, green, blue; alpha is ignored
   std::span<const uint32_t> indices;     ///< three per triangle, each below positions.size()
+  /// 0: nothing is known. Any other number is the caller's word that, drawn with the same spans and the same number in
+  /// two frames that follow each other, the mesh has the same contents in both.
+  uint64_t revision = 0;
 };
 
 /// Two directional lights and a hemisphere. Colours are linear light (1 is full), directions point towards the light in
@@ -45,11 +54,12 @@ struct Lighting {
 enum class Shading { kFlat, kGouraud };
 enum class CullMode { kBack, kNone };  ///< kNone draws back faces too, lit as their front
 
-/// What became of the triangles since begin_frame. submitted == rejected + culled + drawn.
+/// What became of the triangles of the last frame that ended. submitted == rejected + culled + drawn. The triangles of
+/// a draw that nothing asked to be drawn again (Canvas::kLastFrame) count as they did before.
 struct DrawStats {
   uint64_t submitted = 0;
   uint64_t rejected = 0;  ///< hostile: an index out of range, a number that is not finite, arrays of other lengths
-  uint64_t culled = 0;    ///< outside the view, facing away, or without area on the 1/256 pixel grid
+  uint64_t culled = 0;    ///< outside the view, facing away, or without area or a sample on the 1/256 pixel grid
   uint64_t drawn = 0;     ///< went on to be filled
   uint64_t clipped = 0;   ///< those of `culled` and `drawn` that crossed a clip plane and were cut
 };
@@ -58,15 +68,39 @@ enum class [[nodiscard]] Status{
     kOk,
     kBadSize,     ///< a width or height outside 1..kMaxImageSize, or a pixel span that is not width * height long
     kBadSamples,  ///< samples other than 1, 2, 4, 8
+    kBadKernel,   ///< AUSLANJAM_KERNEL, or the constructor's caller, names a kernel that does not run here
     kNoFrame,     ///< end_frame without a begin_frame that succeeded
 };
 
-/// Draws frames: begin_frame, then any number of set_camera, set_lighting, draw, then end_frame.
+/// What the pixels hold when end_frame is called.
+enum class Canvas {
+  kUnknown,    ///< anything: every pixel is written
+  kLastFrame,  ///< the caller's word: just what this renderer's last end_frame left in them; only changes are written
+};
+
+/// Pixels from (x, y) to (x + width, y + height), the latter not included.
+struct PixelRect {
+  int x = 0, y = 0, width = 0, height = 0;
+};
+
+/// Where the time of the last end_frame went, wall clock, nanoseconds.
+struct StageTimes {
+  int64_t vertices = 0;   ///< transform and lighting
+  int64_t triangles = 0;  ///< culling, cutting, sorting into tiles
+  int64_t tiles = 0;      ///< set-up of what is left, coverage, depth, colour, resolve
+};
+
+inline constexpr int kMaxThreads = 32;
+
+/// Draws frames: begin_frame, then any number of set_camera, set_lighting, draw, then end_frame, which does the work.
 /// Owns its working memory and keeps it from frame to frame: after the first frame of a kind nothing is allocated.
 /// One object belongs to one thread at a time; objects are independent.
 class Renderer {
  public:
-  Renderer();
+  /// `threads`: how many threads share the work, the caller's among them; held within 1..kMaxThreads.
+  explicit Renderer(int threads = 1);
+  /// With a kernel of one's own choice instead of chosen_kernel(). One that does not run here fails in begin_frame.
+  Renderer(int threads, Kernel kernel);
   ~Renderer();
   Renderer(Renderer&&) noexcept;
   Renderer& operator=(Renderer&&) noexcept;
@@ -86,11 +120,14 @@ class Renderer {
   /// over at the end count as one rejected triangle. Outside a frame it does nothing.
   void draw(const MeshView& mesh, const glm::mat4& world_from_mesh, Shading shading, CullMode cull = CullMode::kBack);
 
-  /// Fills the triangles in the order of their draws and writes every pixel of `pixels` (width * height long). The
-  /// frame is over then; after kBadSize it is still open.
-  Status end_frame(std::span<uint32_t> pixels);
+  /// Draws the triangles in the order of their draws into `pixels` (width * height long). The frame is over then; after
+  /// kBadSize it is still open.
+  Status end_frame(std::span<uint32_t> pixels, Canvas canvas = Canvas::kUnknown);
 
+  /// Of the last frame that ended. The pixels that it wrote, as rectangles that do not overlap; valid until end_frame.
+  std::span<const PixelRect> damage() const noexcept;
   const DrawStats& stats() const noexcept;
+  const StageTimes& times() const noexcept;
 
  private:
   struct State;

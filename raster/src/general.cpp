@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// Set-up of the long path: gradients in double precision, colours in perspective where that can be seen.
+#include "kernels/kernel.h"
+
+namespace auslan::raster {
+namespace {
+
+// Corner differences and area of a triangle, for its planes.
+struct Slopes {
+  double x1, y1, x2, y2, area;
+};
+
+Plane make_plane(const Slopes& s, float v0, float v1, float v2) {
+  const double d1 = static_cast<double>(v1) - static_cast<double>(v0);
+  const double d2 = static_cast<double>(v2) - static_cast<double>(v0);
+  Plane plane{};
+  plane.origin = v0;
+  plane.per_x = static_cast<float>((d1 * s.y2 - d2 * s.y1) / s.area);
+  plane.per_y = static_cast<float>((d2 * s.x1 - d1 * s.x2) / s.area);
+  const float low = v0 < v1 ? v0 : v1;
+  const float high = v0 < v1 ? v1 : v0;
+  plane.least = v2 < low ? v2 : low;
+  plane.greatest = v2 > high ? v2 : high;
+  return plane;
+}
+
+}  // namespace
+
+void set_up_general(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c, uint32_t colour,
+                    GeneralTriangle& out) noexcept {
+  const ScreenVertex* corners[3] = {&a, &b, &c};
+  for (int i = 0; i < 3; ++i) {
+    out.x[i] = static_cast<int32_t>(corners[i]->x);
+    out.y[i] = static_cast<int32_t>(corners[i]->y);
+  }
+  Slopes slopes{};
+  slopes.x1 = static_cast<double>(b.x - a.x);
+  slopes.y1 = static_cast<double>(b.y - a.y);
+  slopes.x2 = static_cast<double>(c.x - a.x);
+  slopes.y2 = static_cast<double>(c.y - a.y);
+  slopes.area = slopes.x1 * slopes.y2 - slopes.x2 * slopes.y1;
+  out.depth = make_plane(slopes, a.depth, b.depth, c.depth);
+  out.colour = colour;
+  out.perspective = false;
+  if (colour != kGouraudColour) return;
+
+  float widest = 0.0F;
+  for (int channel = 0; channel < 3; ++channel) {
+    const Plane plane = make_plane(slopes, a.level[channel], b.level[channel], c.level[channel]);
+    out.level[channel] = plane;
+    out.least[channel] = plane.least;
+    out.greatest[channel] = plane.greatest;
+    const float spread = plane.greatest - plane.least;
+    widest = spread > widest ? spread : widest;
+  }
+  // The bound of the affine short cut is derived in set_up.h.
+  const Plane inverse_w = make_plane(slopes, a.inverse_w, b.inverse_w, c.inverse_w);
+  out.perspective = widest * (inverse_w.greatest - inverse_w.least) > 0.5F * inverse_w.least;
+  if (!out.perspective) return;
+  // 1/w relative to the nearest corner, so that nothing overflows.
+  const float qa = a.inverse_w / inverse_w.greatest;
+  const float qb = b.inverse_w / inverse_w.greatest;
+  const float qc = c.inverse_w / inverse_w.greatest;
+  out.inverse_w = make_plane(slopes, qa, qb, qc);
+  for (int channel = 0; channel < 3; ++channel) {
+    out.level[channel] = make_plane(slopes, a.level[channel] * qa, b.level[channel] * qb, c.level[channel] * qc);
+  }
+}
+
+}  // namespace auslan::raster

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+// Eight lanes in pairs of SSE2 registers, the baseline of x86-64. The contract is in lanes_scalar.h.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <emmintrin.h>
+
+namespace auslan::raster {
+
+struct Sse2 {
+  struct F {
+    __m128 l, h;
+    friend F operator+(F a, F b) { return {_mm_add_ps(a.l, b.l), _mm_add_ps(a.h, b.h)}; }
+    friend F operator-(F a, F b) { return {_mm_sub_ps(a.l, b.l), _mm_sub_ps(a.h, b.h)}; }
+    friend F operator*(F a, F b) { return {_mm_mul_ps(a.l, b.l), _mm_mul_ps(a.h, b.h)}; }
+    friend F operator/(F a, F b) { return {_mm_div_ps(a.l, b.l), _mm_div_ps(a.h, b.h)}; }
+  };
+  struct I {
+    __m128i l, h;
+    friend I operator+(I a, I b) { return {_mm_add_epi32(a.l, b.l), _mm_add_epi32(a.h, b.h)}; }
+    friend I operator-(I a, I b) { return {_mm_sub_epi32(a.l, b.l), _mm_sub_epi32(a.h, b.h)}; }
+    friend I operator&(I a, I b) { return {_mm_and_si128(a.l, b.l), _mm_and_si128(a.h, b.h)}; }
+    friend I operator|(I a, I b) { return {_mm_or_si128(a.l, b.l), _mm_or_si128(a.h, b.h)}; }
+    friend I operator^(I a, I b) { return {_mm_xor_si128(a.l, b.l), _mm_xor_si128(a.h, b.h)}; }
+  };
+  struct H {
+    __m128i v;
+    friend H operator+(H a, H b) { return {_mm_add_epi16(a.v, b.v)}; }
+    friend H operator*(H a, H b) { return {_mm_mullo_epi16(a.v, b.v)}; }
+  };
+
+  static F set(float x) { return {_mm_set1_ps(x), _mm_set1_ps(x)}; }
+  static I set(int32_t x) { return {_mm_set1_epi32(x), _mm_set1_epi32(x)}; }
+  static F load(const float* p) { return {_mm_loadu_ps(p), _mm_loadu_ps(p + 4)}; }
+  static I load(const int32_t* p) { return {load4(p), load4(p + 4)}; }
+  static I load(const uint32_t* p) { return {load4(p), load4(p + 4)}; }
+  static void store(float* p, F a) { store_2x4(p, 4, a); }
+  static void store(int32_t* p, I a) {
+    store4(p, a.l);
+    store4(p + 4, a.h);
+  }
+  static void store(uint32_t* p, I a) { store_2x4(p, 4, a); }
+
+  static F min(F a, F b) { return {_mm_min_ps(a.l, b.l), _mm_min_ps(a.h, b.h)}; }
+  static F max(F a, F b) { return {_mm_max_ps(a.l, b.l), _mm_max_ps(a.h, b.h)}; }
+  static I min(I a, I b) { return choose(greater(a, b), b, a); }
+  static I max(I a, I b) { return choose(greater(a, b), a, b); }
+  static F sqrt(F a) { return {_mm_sqrt_ps(a.l), _mm_sqrt_ps(a.h)}; }
+  static I greater(F a, F b) { return bits({_mm_cmpgt_ps(a.l, b.l), _mm_cmpgt_ps(a.h, b.h)}); }
+  static I at_least(F a, F b) { return bits({_mm_cmpge_ps(a.l, b.l), _mm_cmpge_ps(a.h, b.h)}); }
+  static I greater(I a, I b) { return {_mm_cmpgt_epi32(a.l, b.l), _mm_cmpgt_epi32(a.h, b.h)}; }
+  static I equal(I a, I b) { return {_mm_cmpeq_epi32(a.l, b.l), _mm_cmpeq_epi32(a.h, b.h)}; }
+  static I and_not(I mask, I a) { return {_mm_andnot_si128(mask.l, a.l), _mm_andnot_si128(mask.h, a.h)}; }
+  template <int kBits>
+  static I shift_left(I a) {
+    return {_mm_slli_epi32(a.l, kBits), _mm_slli_epi32(a.h, kBits)};
+  }
+  template <int kBits>
+  static I shift_right(I a) {
+    return {_mm_srai_epi32(a.l, kBits), _mm_srai_epi32(a.h, kBits)};
+  }
+
+  static F to_float(I a) { return {_mm_cvtepi32_ps(a.l), _mm_cvtepi32_ps(a.h)}; }
+  static I truncate(F a) { return {_mm_cvttps_epi32(a.l), _mm_cvttps_epi32(a.h)}; }
+  static I round(F a) { return {_mm_cvtps_epi32(a.l), _mm_cvtps_epi32(a.h)}; }
+  static I bits(F a) { return {_mm_castps_si128(a.l), _mm_castps_si128(a.h)}; }
+
+  static I sign_mask(I a) { return shift_right<31>(a); }
+  // Masks are whole lanes here, so the sign bit need not be spread again.
+  static F select(I mask, F yes, F no) {
+    const I r = choose(mask, bits(yes), bits(no));
+    return {_mm_castsi128_ps(r.l), _mm_castsi128_ps(r.h)};
+  }
+  static I select(I mask, I yes, I no) { return choose(mask, yes, no); }
+  static uint32_t signs(I a) {
+    return static_cast<uint32_t>(_mm_movemask_ps(_mm_castsi128_ps(a.l))) |
+           (static_cast<uint32_t>(_mm_movemask_ps(_mm_castsi128_ps(a.h))) << 4U);
+  }
+
+  static I pair(I low, I high) { return (low & set(int32_t{0xFFFF})) | shift_left<16>(high); }
+  static I dot(I a, I b) { return {_mm_madd_epi16(a.l, b.l), _mm_madd_epi16(a.h, b.h)}; }
+
+  static F load_2x4(const float* p, size_t stride) { return {_mm_loadu_ps(p), _mm_loadu_ps(p + stride)}; }
+  static I load_2x4(const uint32_t* p, size_t stride) { return {load4(p), load4(p + stride)}; }
+  static void store_2x4(float* p, size_t stride, F a) {
+    _mm_storeu_ps(p, a.l);
+    _mm_storeu_ps(p + stride, a.h);
+  }
+  static void store_2x4(uint32_t* p, size_t stride, I a) {
+    store4(p, a.l);
+    store4(p + stride, a.h);
+  }
+
+  static H halves(uint32_t pair_of_equals) { return {_mm_set1_epi32(static_cast<int>(pair_of_equals))}; }
+  static H load_halves(const int16_t* p) { return {load4(p)}; }
+  static H min(H a, H b) { return {_mm_min_epi16(a.v, b.v)}; }
+  static H max(H a, H b) { return {_mm_max_epi16(a.v, b.v)}; }
+  template <int kBits>
+  static H shift_left(H a) {
+    return {_mm_slli_epi16(a.v, kBits)};
+  }
+  template <int kBits>
+  static H shift_right(H a) {
+    return {_mm_srli_epi16(a.v, kBits)};
+  }
+  static I pixels(H red, H green, H blue) {
+    const __m128i low = _mm_or_si128(blue.v, _mm_slli_epi16(green.v, 8));
+    return {_mm_unpacklo_epi16(low, red.v), _mm_unpackhi_epi16(low, red.v)};
+  }
+
+  static void gather_quads(const float* base, const uint32_t* number, size_t stride, F& a, F& b, F& c, F& d) {
+    const auto row = [=](size_t i) { return _mm_loadu_ps(base + size_t{number[i]} * stride); };
+    transpose(row(0), row(1), row(2), row(3), a.l, b.l, c.l, d.l);
+    transpose(row(4), row(5), row(6), row(7), a.h, b.h, c.h, d.h);
+  }
+  static void gather_pairs(const float* base, const uint32_t* number, size_t stride, F& a, F& b) {
+    const auto two = [=](size_t i) {
+      const __m128d low = _mm_load_sd(reinterpret_cast<const double*>(base + size_t{number[i]} * stride));
+      return _mm_castpd_ps(_mm_loadh_pd(low, reinterpret_cast<const double*>(base + size_t{number[i + 1]} * stride)));
+    };
+    const __m128 r0 = two(0);
+    const __m128 r1 = two(2);
+    const __m128 r2 = two(4);
+    const __m128 r3 = two(6);
+    a = {_mm_shuffle_ps(r0, r1, 0x88), _mm_shuffle_ps(r2, r3, 0x88)};
+    b = {_mm_shuffle_ps(r0, r1, 0xDD), _mm_shuffle_ps(r2, r3, 0xDD)};
+  }
+  static void scatter_octets(float* out, F a, F b, F c, F d, F e, F f, F g, F h) {
+    __m128 left[8], right[8];
+    transpose(a.l, b.l, c.l, d.l, left[0], left[1], left[2], left[3]);
+    transpose(a.h, b.h, c.h, d.h, left[4], left[5], left[6], left[7]);
+    transpose(e.l, f.l, g.l, h.l, right[0], right[1], right[2], right[3]);
+    transpose(e.h, f.h, g.h, h.h, right[4], right[5], right[6], right[7]);
+    for (size_t i = 0; i < 8; ++i) {
+      _mm_storeu_ps(out + 8 * i, left[i]);
+      _mm_storeu_ps(out + 8 * i + 4, right[i]);
+    }
+  }
+  static void load_triples(const float* p, F& a, F& b, F& c) {
+    four_triples(p, a.l, b.l, c.l);
+    four_triples(p + 12, a.h, b.h, c.h);
+  }
+
+ private:
+  static __m128i load4(const void* p) { return _mm_loadu_si128(static_cast<const __m128i*>(p)); }
+  static void store4(void* p, __m128i a) { _mm_storeu_si128(static_cast<__m128i*>(p), a); }
+  static I choose(I mask, I yes, I no) { return (mask & yes) | and_not(mask, no); }
+  static void transpose(__m128 r0, __m128 r1, __m128 r2, __m128 r3, __m128& a, __m128& b, __m128& c, __m128& d) {
+    const __m128 t0 = _mm_unpacklo_ps(r0, r1);
+    const __m128 t1 = _mm_unpackhi_ps(r0, r1);
+    const __m128 t2 = _mm_unpacklo_ps(r2, r3);
+    const __m128 t3 = _mm_unpackhi_ps(r2, r3);
+    a = _mm_movelh_ps(t0, t2);
+    b = _mm_movehl_ps(t2, t0);
+    c = _mm_movelh_ps(t1, t3);
+    d = _mm_movehl_ps(t3, t1);
+  }
+  // x0 y0 z0 x1 | y1 z1 x2 y2 | z2 x3 y3 z3
+  static void four_triples(const float* p, __m128& a, __m128& b, __m128& c) {
+    const __m128 r0 = _mm_loadu_ps(p);
+    const __m128 r1 = _mm_loadu_ps(p + 4);
+    const __m128 r2 = _mm_loadu_ps(p + 8);
+    const __m128 x2y2x3y3 = _mm_shuffle_ps(r1, r2, 0x9E);
+    const __m128 y0z0y1z1 = _mm_shuffle_ps(r0, r1, 0x49);
+    a = _mm_shuffle_ps(r0, x2y2x3y3, 0x8C);
+    b = _mm_shuffle_ps(y0z0y1z1, x2y2x3y3, 0xD8);
+    c = _mm_shuffle_ps(y0z0y1z1, r2, 0xCD);
+  }
+};
+
+}  // namespace auslan::raster
