@@ -53,5 +53,7 @@ function(auslan_library name)
   set_target_properties(auslan_${name} PROPERTIES EXPORT_NAME ${name} VERIFY_INTERFACE_HEADER_SETS ON)
   target_sources(auslan_${name} PUBLIC FILE_SET HEADERS BASE_DIRS include FILES ${arg_HEADERS})
   target_include_directories(auslan_${name} PRIVATE src)
-  target_link_libraries(auslan_${name} PUBLIC auslan::standard ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
+  # What is installed asks of others the language alone: warnings and floating-point flags are this project's own.
+  target_compile_features(auslan_${name} PUBLIC cxx_std_20)
+  target_link_libraries(auslan_${name} PUBLIC $<BUILD_INTERFACE:auslan::standard> ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
 endfunction()

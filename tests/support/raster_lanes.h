@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every operation of a lane type, done once on given numbers. Each lane type is instantiated in a file of its own that
+// is compiled as that type's kernel is; so there is nothing here but templates over it and plain data, and no code for
+// a wider instruction set can reach another file through the linker.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace auslan::raster {
+
+/// What the operations work on.
+struct LaneInput {
+  float a[8], b[8], c[8];    ///< any bits
+  float whole[8];            ///< of a size that truncate and round take
+  int32_t x[8], y[8], z[8];  ///< any bits
+  int16_t p[8], q[8], r[8];
+  uint32_t number[8];  ///< below 16
+  float table[16 * 9 + 8];
+};
+
+enum class LaneKind {
+  kBits,   ///< the bits must agree
+  kFloat,  ///< so must these, but one NaN is as good as another: which one arithmetic gives is the processor's affair
+};
+
+struct LaneResult {
+  const char* operation;
+  LaneKind kind;
+  uint32_t lanes[8];
+};
+
+struct LaneResults {
+  static constexpr size_t kMost = 128;
+  LaneResult results[kMost];
+  size_t count;
+};
+
+template <class L>
+struct LaneOperations {
+  using F = typename L::F;
+  using I = typename L::I;
+  using H = typename L::H;
+
+  LaneResults& out;
+
+  uint32_t* next(const char* operation, LaneKind kind) {
+    LaneResult& result = out.results[out.count++];
+    result.operation = operation;
+    result.kind = kind;
+    return result.lanes;
+  }
+  void keep(const char* operation, const F& value, LaneKind kind = LaneKind::kBits) {
+    L::store(next(operation, kind), L::bits(value));
+  }
+  void keep(const char* operation, const I& value) { L::store(next(operation, LaneKind::kBits), value); }
+  // Sixteen bits leave H only as two channels of a pixel.
+  void keep(const char* operation, const H& value) {
+    const H zero = L::halves(0);
+    const H low = L::template shift_right<8>(L::template shift_left<8>(value));
+    L::store(next(operation, LaneKind::kBits), L::pixels(zero, L::template shift_right<8>(value), low));
+  }
+  // A mask may be looked into by select and signs only.
+  void keep_mask(const char* operation, const I& mask, const LaneInput& in) {
+    keep(operation, L::select(mask, L::load(in.x), L::load(in.y)));
+    keep(operation, L::select(mask, L::load(in.a), L::load(in.b)));
+    uint32_t* lanes = next(operation, LaneKind::kBits);
+    for (size_t i = 0; i < 8; ++i)
+      lanes[i] = L::signs(mask);
+  }
+
+  void arithmetic(const LaneInput& in) {
+    const F a = L::load(in.a);
+    const F b = L::load(in.b);
+    const F c = L::load(in.c);
+    const I x = L::load(in.x);
+    const I y = L::load(in.y);
+    keep("load F", a);
+    keep("load I", x);
+    keep("set F", L::set(in.a[0]));
+    keep("set I", L::set(in.x[0]));
+    keep("F + F", a + b, LaneKind::kFloat);
+    keep("F - F", a - b, LaneKind::kFloat);
+    keep("F * F", a * b, LaneKind::kFloat);
+    keep("F / F", a / b, LaneKind::kFloat);
+    // Products of their own, which a compiler that may fuse would fuse.
+    keep("F * F + F, rounded twice", c * a + b, LaneKind::kFloat);
+    keep("F - F * F, rounded twice", a - b * c, LaneKind::kFloat);
+    keep("sqrt", L::sqrt(a), LaneKind::kFloat);
+    keep("min F", L::min(a, b));
+    keep("max F", L::max(a, b));
+    keep("I + I", x + y);
+    keep("I - I", x - y);
+    keep("I & I", x & y);
+    keep("I | I", x | y);
+    keep("I ^ I", x ^ y);
+    keep("and_not", L::and_not(x, y));
+    keep("min I", L::min(x, y));
+    keep("max I", L::max(x, y));
+    keep("shift_left 1", L::template shift_left<1>(x));
+    keep("shift_left 8", L::template shift_left<8>(x));
+    keep("shift_left 31", L::template shift_left<31>(x));
+    keep("shift_right 1", L::template shift_right<1>(x));
+    keep("shift_right 8", L::template shift_right<8>(x));
+    keep("shift_right 31", L::template shift_right<31>(x));
+    keep("to_float", L::to_float(x));
+    keep("truncate", L::truncate(L::load(in.whole)));
+    keep("round", L::round(L::load(in.whole) * L::set(0.001F)));
+    keep("pair", L::pair(x, y));
+    keep("dot", L::dot(x, y));
+  }
+
+  void masks(const LaneInput& in) {
+    const F a = L::load(in.a);
+    const F b = L::load(in.b);
+    const I x = L::load(in.x);
+    const I y = L::load(in.y);
+    const I z = L::load(in.z);
+    keep_mask("greater F", L::greater(a, b), in);
+    keep_mask("at_least F", L::at_least(a, b), in);
+    keep_mask("greater I", L::greater(x, y), in);
+    keep_mask("equal", L::equal(x, y), in);
+    keep_mask("sign_mask", L::sign_mask(x), in);
+    keep_mask("mask & mask", L::greater(a, b) & L::sign_mask(z), in);
+    keep_mask("mask | mask", L::equal(x, y) | L::sign_mask(z), in);
+    keep_mask("mask ^ mask", L::greater(x, y) ^ L::sign_mask(z), in);
+    keep_mask("mask and_not mask", L::and_not(L::sign_mask(z), L::greater(a, b)), in);
+  }
+
+  void halves(const LaneInput& in) {
+    const H p = L::load_halves(in.p);
+    const H q = L::load_halves(in.q);
+    const H r = L::load_halves(in.r);
+    keep("load_halves", p);
+    const auto half = static_cast<uint32_t>(static_cast<uint16_t>(in.p[0]));
+    keep("halves", L::halves(half << 16U | half));
+    keep("H + H", p + q);
+    keep("H * H", p * q);
+    keep("min H", L::min(p, q));
+    keep("max H", L::max(p, q));
+    keep("shift_left H 3", L::template shift_left<3>(p));
+    keep("shift_right H 3", L::template shift_right<3>(p));
+    keep("shift_right H 15", L::template shift_right<15>(p));
+    keep("pixels",
+         L::pixels(L::template shift_right<8>(p), L::template shift_right<8>(q), L::template shift_right<8>(r)));
+  }
+
+  void memory(const LaneInput& in) {
+    const F a = L::load(in.a);
+    const F b = L::load(in.b);
+    uint32_t words[16];
+    for (size_t i = 0; i < 16; ++i)
+      words[i] = in.number[i % 8] + static_cast<uint32_t>(i);
+    keep("load uint32_t", L::load(words));
+    keep("load_2x4 F", L::load_2x4(in.table, 9));
+    keep("load_2x4 I", L::load_2x4(words, 7));
+    float row[16] = {};
+    L::store(row + 1, a);
+    keep_memory("store F", row);
+    L::store_2x4(row, 11, b);
+    keep_memory("store_2x4 F", row);
+    L::store_2x4(words, 11, L::load(in.x));
+    keep("store_2x4 I", L::load(words));
+    keep("store_2x4 I", L::load(words + 8));
+    int32_t integers[8];
+    L::store(integers, L::load(in.x));
+    keep("store int32_t", L::load(integers));
+
+    F f0, f1, f2, f3;
+    L::gather_quads(in.table, in.number, 9, f0, f1, f2, f3);
+    keep("gather_quads", f0);
+    keep("gather_quads", f1);
+    keep("gather_quads", f2);
+    keep("gather_quads", f3);
+    L::gather_pairs(in.table, in.number, 9, f0, f1);
+    keep("gather_pairs", f0);
+    keep("gather_pairs", f1);
+    L::load_triples(in.table, f0, f1, f2);
+    keep("load_triples", f0);
+    keep("load_triples", f1);
+    keep("load_triples", f2);
+    float octets[64];
+    L::scatter_octets(octets, a, b, L::load(in.c), f0, f1, f2, L::load(in.table + 40), L::load(in.table + 77));
+    for (size_t i = 0; i < 64; i += 8)
+      keep("scatter_octets", L::load(octets + i));
+  }
+
+ private:
+  void keep_memory(const char* operation, const float* row) {
+    keep(operation, L::load(row));
+    keep(operation, L::load(row + 8));
+  }
+};
+
+template <class L>
+void do_lane_operations(const LaneInput& in, LaneResults& out) {
+  out.count = 0;
+  LaneOperations<L> operations{out};
+  operations.arithmetic(in);
+  operations.masks(in);
+  operations.halves(in);
+  operations.memory(in);
+}
+
+// In tests/unit/raster_lanes_sse2.cpp and so on, where the processor has them.
+void do_sse2_operations(const LaneInput& in, LaneResults& out);
+void do_avx2_operations(const LaneInput& in, LaneResults& out);
+void do_neon_operations(const LaneInput& in, LaneResults& out);
+
+}  // namespace auslan::raster
