@@ -75,8 +75,8 @@ TEST_P(RasterDigests, DrawingTwiceGivesTheSameBytes) {
   }
 }
 
-// The tiles that a frame is filled in leave no seam: a frame's middle looks the same wherever their borders fall. Moving
-// the picture by whole pixels moves it exactly, because the grid of 1/256 pixel moves with it.
+// The tiles that a frame is filled in leave no seam: a frame's middle looks the same wherever their borders fall.
+// Moving the picture by whole pixels moves it exactly, because the grid of 1/256 pixel moves with it.
 TEST_P(RasterDigests, TilesLeaveNoSeam) {
   Random random(91);
   std::vector<Triangle> triangles;

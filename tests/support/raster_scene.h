@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A fixed scene for the rasteriser, made with nothing but IEEE arithmetic: a lit sphere, cubes, crossing needles, a
-// mirrored and squashed copy, a rod that comes out of the camera, and a floor that runs under it. Knows no test library,
-// so that it compiles where there is none.
+// mirrored and squashed copy, a rod that comes out of the camera, and a floor that runs under it. Knows no test
+// library, so that it compiles where there is none.
 #pragma once
 
 #include "raster/renderer.h"

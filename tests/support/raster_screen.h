@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// For tests of the rasteriser: triangles given directly on its sub-pixel grid, the exact rule for which points a triangle
-// covers, and tests that run on every kernel.
+// For tests of the rasteriser: triangles given directly on its sub-pixel grid, the exact rule for which points a
+// triangle covers, and tests that run on every kernel.
 #pragma once
 
 #include "raster/renderer.h"

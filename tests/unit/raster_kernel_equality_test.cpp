@@ -106,8 +106,8 @@ TEST_P(KernelEquality, LargeMeshes) {
 
 TEST_P(KernelEquality, FramesFromOnePixelToTheLargest) {
   const Soup soup = make_soup(7200, 64, 64, 4, 300);
-  const FrameSize sizes[] = {{1, 1, 8},     {1, 1, 1},      {3, 200, 2},   {200, 3, 4},   {64, 64, 1},
-                             {65, 63, 8},   {128, 1, 1},    {kMaxImageSize, 2, 1}, {2, kMaxImageSize, 2}};
+  const FrameSize sizes[] = {{1, 1, 8},   {1, 1, 1},   {3, 200, 2},           {200, 3, 4},          {64, 64, 1},
+                             {65, 63, 8}, {128, 1, 1}, {kMaxImageSize, 2, 1}, {2, kMaxImageSize, 2}};
   for (const FrameSize& size : sizes) {
     expect_same("soup_of_" + std::to_string(size.width) + "x" + std::to_string(size.height), soup.draws, size);
     expect_same_stats("size");

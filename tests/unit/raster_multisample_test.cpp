@@ -46,9 +46,9 @@ class Multisample : public testing::TestWithParam<std::tuple<Kernel, int>> {
 TEST(RootMeanSquare, OfTheReferenceIsWhatTheFormulaSays) {
   EXPECT_EQ(code_of(8, 8), 255U);
   EXPECT_EQ(code_of(0, 8), 0U);
-  EXPECT_EQ(code_of(1, 2), 180U);           // 255 / sqrt(2) = 180.3
-  EXPECT_EQ(code_of(1, 4), 128U);           // 127.5
-  EXPECT_EQ(code_of(1, 8), 90U);            // 90.2
+  EXPECT_EQ(code_of(1, 2), 180U);            // 255 / sqrt(2) = 180.3
+  EXPECT_EQ(code_of(1, 4), 128U);            // 127.5
+  EXPECT_EQ(code_of(1, 8), 90U);             // 90.2
   EXPECT_EQ(code_of(1, 2, 100, 200), 158U);  // sqrt(25000) = 158.1
 }
 
@@ -76,10 +76,9 @@ TEST_P(Multisample, EveryPixelIsTheRootMeanSquareOfItsExactSamples) {
       for (int column = 0; column < 16; ++column) {
         const int covered = covered_samples(t, column, row, samples);
         partial += covered > 0 && covered < samples ? 1 : 0;
-        ASSERT_EQ(screen.pixel(column, row),
-                  pack_pixel(code_of(covered, samples, red_of(front), red_of(behind)),
-                             code_of(covered, samples, green_of(front), green_of(behind)),
-                             code_of(covered, samples, blue_of(front), blue_of(behind))))
+        ASSERT_EQ(screen.pixel(column, row), pack_pixel(code_of(covered, samples, red_of(front), red_of(behind)),
+                                                        code_of(covered, samples, green_of(front), green_of(behind)),
+                                                        code_of(covered, samples, blue_of(front), blue_of(behind))))
             << covered << " of " << samples << " samples, triangle " << i << ", pixel " << column << ", " << row;
       }
     }
