@@ -78,8 +78,9 @@ class Segment {
   }
 
   PosedMesh view() const {
-    return {node_, posed_positions_, posed_normals_, mesh_.colours, mesh_.indices, glm::mat4(1.0F)};
+    return {node_, posed_positions_, posed_normals_, mesh_.colours, mesh_.indices, glm::mat4(1.0F), revision_};
   }
+  uint64_t revision() const { return revision_; }
 
   void apply(const FaceWeights& face) {
     if (mesh_.morphs.empty() || same_weights(face)) return;
@@ -96,6 +97,7 @@ class Segment {
     else
       smooth_normals();
     applied_ = face;
+    ++revision_;
   }
 
  private:
@@ -176,6 +178,7 @@ class Segment {
   std::vector<uint32_t> moved_, tilted_;  // vertices, ascending
   std::vector<uint32_t> triangles_;       // first indices of the triangles at the tilted vertices
   FaceWeights applied_{};
+  uint64_t revision_ = 1;
 };
 
 class RigidModel final : public BodyModel {
@@ -194,6 +197,7 @@ class RigidModel final : public BodyModel {
   std::span<const PosedMesh> pose(std::span<const Transform> world_from_node, const FaceWeights& face) override {
     for (size_t i = 0; i < segments_.size(); ++i) {
       segments_[i].apply(face);
+      posed_[i].revision = segments_[i].revision();
       posed_[i].world_from_mesh = matrix_of(world_from_node[static_cast<size_t>(posed_[i].node)]);
     }
     return posed_;

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <memory>
 #include <new>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -139,6 +140,28 @@ TEST_F(BodyModels, NormalsFollowAMorph) {
   const auto again = smooth->pose(world_, still_)[0].normals;
   for (size_t i = 0; i < before.size(); ++i)
     EXPECT_EQ(again[i], before[i]) << "rest again, to the bit";
+}
+
+TEST_F(BodyModels, TheRevisionChangesWithTheContentsAlone) {
+  for (const auto& model : {make_rigid_flat(figure_), make_rigid_gouraud(figure_)}) {
+    const auto revisions = [&](const FaceWeights& face) {
+      const auto meshes = model->pose(world_, face);
+      return std::pair(meshes[0].revision, meshes[1].revision);
+    };
+    const auto [head, hand] = revisions(still_);
+    EXPECT_NE(head, 0U);
+    EXPECT_NE(hand, 0U);
+    world_[1].position.x += 0.25;  // where a segment lies is no part of its contents
+    FaceWeights face{};
+    face[static_cast<size_t>(FaceChannel::kCheekPuff)] = 1.0F;  // this figure has no such morph
+    EXPECT_EQ(revisions(face), std::pair(head, hand));
+    face[static_cast<size_t>(FaceChannel::kJawOpen)] = 0.5F;
+    const auto [opened, hand_again] = revisions(face);
+    EXPECT_NE(opened, head);
+    EXPECT_EQ(hand_again, hand);
+    EXPECT_EQ(revisions(face).first, opened);
+    EXPECT_NE(revisions(still_).first, opened);
+  }
 }
 
 TEST_F(BodyModels, AFrameAllocatesNothing) {

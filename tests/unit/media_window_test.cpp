@@ -131,6 +131,47 @@ TEST_F(OnScreen, ShowsExactlyThePixelsOfTheFrame) {
   EXPECT_TRUE(difference.equal()) << to_string(difference);
 }
 
+TEST_F(OnScreen, SendsNoMoreThanTheChanges) {
+  if (!has_eyes()) GTEST_SKIP() << "ImageMagick's import or the picture module is missing";
+  auto window = Window::open("changes", 320, 200);
+  ASSERT_TRUE(window);
+  window->poll();
+  // The first picture is shown whole, whatever the changes are.
+  const Picture first = gradient(320, 200);
+  ASSERT_TRUE(window->show_changes(first.view(), {}));
+  // All of the next one is new; two parts, one of which reaches beyond the picture, are said to be.
+  const Picture next = make_picture(320, 200, 0x00FF00);
+  const PixelRect changed[] = {{10, 20, 30, 40}, {300, 190, 50, 50}, {-5, -5, 3, 3}};
+  ASSERT_TRUE(window->show_changes(next.view(), changed));
+  Picture expected = first;
+  for (const PixelRect& rect : {PixelRect{10, 20, 30, 40}, PixelRect{300, 190, 20, 10}})
+    for (int y = rect.y; y < rect.y + rect.height; ++y)
+      for (int x = rect.x; x < rect.x + rect.width; ++x)
+        expected.pixels[static_cast<size_t>(y * 320 + x)] = 0x00FF00;
+  const auto seen = screenshot();
+  ASSERT_TRUE(seen);
+  const auto difference = compare(expected.view(), cut(*seen, 160, 140, 320, 200).view());
+  EXPECT_TRUE(difference.equal()) << to_string(difference);
+}
+
+TEST_F(OnScreen, ChangesAfterAResizeShowTheWholePicture) {
+  if (!has_program("xdotool") || !has_eyes()) GTEST_SKIP() << "xdotool, import or the picture module is missing";
+  auto window = Window::open("again", 200, 200);
+  ASSERT_TRUE(window);
+  const Picture picture = gradient(200, 200);
+  ASSERT_TRUE(window->show_changes(picture.view(), {}));
+  window->poll();
+  ASSERT_TRUE(run("xdotool search --sync --name again windowsize 300 300").ok);
+  ASSERT_TRUE(arrives(*window, WindowEvent::kResized));
+  ASSERT_TRUE(run("xdotool search --sync --name again windowsize 200 200 windowmove 0 0").ok);
+  ASSERT_TRUE(arrives(*window, WindowEvent::kResized));
+  ASSERT_TRUE(window->show_changes(picture.view(), {}));
+  const auto seen = screenshot();
+  ASSERT_TRUE(seen);
+  const auto difference = compare(picture.view(), cut(*seen, 0, 0, 200, 200).view());
+  EXPECT_TRUE(difference.equal()) << to_string(difference);
+}
+
 TEST_F(OnScreen, ScalesBetweenBlackBars) {
   if (!has_eyes()) GTEST_SKIP() << "ImageMagick's import or the picture module is missing";
   auto window = Window::open("bars", 400, 200);
@@ -208,6 +249,7 @@ TEST_F(OnScreen, BadSizesAreRefused) {
   auto window = Window::open("x", 50, 50);
   ASSERT_TRUE(window);
   EXPECT_EQ(window->show({}).error().code, ErrorCode::kUsage);
+  EXPECT_EQ(window->show_changes({}, {}).error().code, ErrorCode::kUsage);
 }
 
 TEST(NoScreen, IsSaidAndNotTried) {

@@ -22,6 +22,8 @@ struct PosedMesh {
   std::span<const glm::u8vec4> colours;
   std::span<const uint32_t> indices;
   glm::mat4 world_from_mesh{1.0F};
+  /// Never 0; another number whenever the contents of the spans are not what they were at the last pose().
+  uint64_t revision = 1;
 };
 
 class BodyModel {

@@ -183,8 +183,8 @@ Result<void> play(const Options& options, Session& session, const Show& show) {
       dirty = true;
     }
     if (dirty) {
-      maker->make(frame_time(index, options.fps), frame.span());
-      if (auto shown = window->show(frame.view()); !shown) return shown;
+      const auto changed = maker->update(frame_time(index, options.fps), frame.span());
+      if (auto shown = window->show_changes(frame.view(), changed); !shown) return shown;
       dirty = false;
     }
     // A frame that is late already is skipped.

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stage/stage.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
 #include <iterator>
+#include <string>
 #include <utility>
 
 namespace auslan {
@@ -83,6 +85,7 @@ Stage::Stage(const Figure& figure, const StageOptions& options)
     : figure_(&figure),
       options_(options),
       model_(options.flat ? make_rigid_flat(figure) : make_rigid_gouraud(figure)),
+      renderer_(options.threads, options.kernel.value()),
       camera_(
           stage_camera(figure, options.camera, static_cast<float>(options.width) / static_cast<float>(options.height))),
       world_(static_cast<size_t>(figure.skeleton.size())) {
@@ -96,18 +99,29 @@ Result<Stage> Stage::build(const Figure& figure, const StageOptions& options) {
   if (!size_ok) return fail(ErrorCode::kUsage, "the picture's width and height must lie between 1 and 16384 pixels");
   if (options.samples != 1 && options.samples != 2 && options.samples != 4 && options.samples != 8)
     return fail(ErrorCode::kUsage, "anti-aliasing takes 1, 2, 4 or 8 samples a pixel");
-  return Stage(figure, options);
+  StageOptions chosen = options;
+  if (!chosen.kernel) chosen.kernel = raster::chosen_kernel();
+  const auto runnable = raster::runnable_kernels();
+  if (!chosen.kernel || std::find(runnable.begin(), runnable.end(), *chosen.kernel) == runnable.end()) {
+    std::string names;
+    for (const raster::Kernel kernel : runnable)
+      names += " " + std::string(raster::name_of(kernel));
+    return fail(ErrorCode::kUsage,
+                "AUSLANJAM_KERNEL names no kernel of the rasteriser that runs here; unset it, or take one of:" + names);
+  }
+  return Stage(figure, chosen);
 }
 
-void Stage::render(const Pose& pose, std::span<uint32_t> pixels) {
+void Stage::render(const Pose& pose, std::span<uint32_t> pixels, raster::Canvas canvas) {
   forward(figure_->skeleton, pose, world_);
   [[maybe_unused]] raster::Status status =
       renderer_.begin_frame(options_.width, options_.height, options_.samples, options_.background);
   assert(status == raster::Status::kOk);
   const raster::Shading shading = options_.flat ? raster::Shading::kFlat : raster::Shading::kGouraud;
   for (const PosedMesh& mesh : model_->pose(world_, pose.face))
-    renderer_.draw({mesh.positions, mesh.normals, mesh.colours, mesh.indices}, mesh.world_from_mesh, shading);
-  status = renderer_.end_frame(pixels);
+    renderer_.draw({mesh.positions, mesh.normals, mesh.colours, mesh.indices, mesh.revision}, mesh.world_from_mesh,
+                   shading);
+  status = renderer_.end_frame(pixels, canvas);
   assert(status == raster::Status::kOk);
 }
 

@@ -48,15 +48,6 @@ uint32_t blend(uint32_t dst, uint32_t src, uint32_t a) {
   return out;
 }
 
-PixelRect intersection(const PixelRect& a, const PixelRect& b) {
-  const int64_t x0 = std::max<int64_t>(a.x, b.x);
-  const int64_t y0 = std::max<int64_t>(a.y, b.y);
-  const int64_t x1 = std::min(int64_t{a.x} + a.width, int64_t{b.x} + b.width);
-  const int64_t y1 = std::min(int64_t{a.y} + a.height, int64_t{b.y} + b.height);
-  if (x1 <= x0 || y1 <= y0) return {};
-  return {static_cast<int>(x0), static_cast<int>(y0), static_cast<int>(x1 - x0), static_cast<int>(y1 - y0)};
-}
-
 uint32_t& pixel_at(FrameSpan frame, int x, int y) {
   return frame.pixels[static_cast<size_t>(y) * static_cast<size_t>(frame.width) + static_cast<size_t>(x)];
 }

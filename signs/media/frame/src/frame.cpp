@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "media/frame.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <string_view>
@@ -28,6 +29,15 @@ XXH128_hash_t hash_pixels(std::span<const uint32_t> pixels) {
 }
 
 }  // namespace
+
+PixelRect intersection(const PixelRect& a, const PixelRect& b) {
+  const int64_t x0 = std::max<int64_t>(a.x, b.x);
+  const int64_t y0 = std::max<int64_t>(a.y, b.y);
+  const int64_t x1 = std::min(int64_t{a.x} + a.width, int64_t{b.x} + b.width);
+  const int64_t y1 = std::min(int64_t{a.y} + a.height, int64_t{b.y} + b.height);
+  if (x1 <= x0 || y1 <= y0) return {};
+  return {static_cast<int>(x0), static_cast<int>(y0), static_cast<int>(x1 - x0), static_cast<int>(y1 - y0)};
+}
 
 std::string frame_digest(FrameView frame) {
   XXH128_canonical_t canonical;

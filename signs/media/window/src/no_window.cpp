@@ -24,6 +24,9 @@ Window::~Window() = default;
 Result<void> Window::show(FrameView) {
   return {};
 }
+Result<void> Window::show_changes(FrameView, std::span<const PixelRect>) {
+  return {};
+}
 std::span<const WindowEvent> Window::poll() {
   return {};
 }

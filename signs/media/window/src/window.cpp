@@ -4,6 +4,8 @@
 #include "letterbox.h"
 
 #include <SDL2/SDL.h>
+#include <algorithm>
+#include <cstddef>
 #include <cstdlib>
 #include <utility>
 #include <vector>
@@ -58,6 +60,11 @@ class Video {
   bool held_ = true;
 };
 
+tl::unexpected<Error> not_drawn() {
+  return fail(ErrorCode::kUnwritable,
+              std::string("the window cannot be drawn: ") + SDL_GetError() + "; the display may be gone, start again");
+}
+
 bool event_of_key(SDL_Keycode key, WindowEvent& event) {
   using enum WindowEvent;
   switch (key) {
@@ -107,6 +114,7 @@ struct Window::State {
   Uint32 id = 0;
   bool shown = false;  ///< the surface holds a picture that an exposure may repeat
   std::vector<WindowEvent> events;
+  std::vector<SDL_Rect> changed;  ///< of the last show_changes
 };
 
 Window::Window(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -145,16 +153,37 @@ Result<Window> Window::open(const std::string& title, int width, int height) {
 Result<void> Window::show(FrameView frame) {
   if (!is_well_formed(frame)) return fail(ErrorCode::kUsage, "a picture's size does not agree with its pixels");
   SDL_Surface* surface = state_->surface();
-  if (surface == nullptr || (SDL_MUSTLOCK(surface) && SDL_LockSurface(surface) != 0))
-    return fail(ErrorCode::kUnwritable, std::string("the window cannot be drawn: ") + SDL_GetError() +
-                                            "; the display may be gone, start again");
+  if (surface == nullptr || (SDL_MUSTLOCK(surface) && SDL_LockSurface(surface) != 0)) return not_drawn();
   letterbox(frame, {static_cast<uint32_t*>(surface->pixels), surface->w, surface->h,
                     surface->pitch / static_cast<int>(sizeof(uint32_t))});
   if (SDL_MUSTLOCK(surface)) SDL_UnlockSurface(surface);
-  if (SDL_UpdateWindowSurface(state_->window) != 0)
-    return fail(ErrorCode::kUnwritable, std::string("the window cannot be drawn: ") + SDL_GetError() +
-                                            "; the display may be gone, start again");
+  if (SDL_UpdateWindowSurface(state_->window) != 0) return not_drawn();
   state_->shown = true;
+  return {};
+}
+
+Result<void> Window::show_changes(FrameView frame, std::span<const PixelRect> changed) {
+  SDL_Surface* surface = state_->surface();
+  if (!state_->shown || surface == nullptr || surface->w != frame.width || surface->h != frame.height ||
+      !is_well_formed(frame))
+    return show(frame);
+  state_->changed.clear();
+  for (const PixelRect& rect : changed) {
+    const PixelRect inside = intersection(rect, {0, 0, frame.width, frame.height});
+    if (inside.width > 0) state_->changed.push_back({inside.x, inside.y, inside.width, inside.height});
+  }
+  if (state_->changed.empty()) return {};
+  if (SDL_MUSTLOCK(surface) && SDL_LockSurface(surface) != 0) return not_drawn();
+  for (const SDL_Rect& rect : state_->changed)
+    for (int y = rect.y; y < rect.y + rect.h; ++y) {
+      const uint32_t* from = &frame.pixels[static_cast<size_t>(y) * static_cast<size_t>(frame.width)];
+      auto* to = reinterpret_cast<uint32_t*>(static_cast<std::byte*>(surface->pixels) + ptrdiff_t{y} * surface->pitch);
+      std::copy(from + rect.x, from + rect.x + rect.w, to + rect.x);
+    }
+  if (SDL_MUSTLOCK(surface)) SDL_UnlockSurface(surface);
+  if (SDL_UpdateWindowSurfaceRects(state_->window, state_->changed.data(), static_cast<int>(state_->changed.size())) !=
+      0)
+    return not_drawn();
   return {};
 }
 

@@ -34,7 +34,9 @@ struct StageOptions {
   int samples = 4;                 ///< anti-aliasing: 1, 2, 4 or 8 samples a pixel
   bool flat = false;               ///< flat shading, with the rigid flat model
   CameraName camera = CameraName::kFront;
-  uint32_t background = 0xC9D3D9;  ///< 0x00RRGGBB
+  uint32_t background = 0xC9D3D9;        ///< 0x00RRGGBB
+  int threads = 1;                       ///< that share the work of a frame
+  std::optional<raster::Kernel> kernel;  ///< nothing: raster::chosen_kernel(); a stage that was built names its own
 };
 
 /// The camera and the light of every stage, for what draws a figure without one (the benchmark). `aspect`: width over
@@ -45,13 +47,16 @@ raster::Lighting stage_lighting();
 /// Draws one figure. Owns a renderer and a model, so one thread at a time; any number of stages can share a figure.
 class Stage {
  public:
-  /// The figure must outlive the stage. kUsage for sizes or sample counts that the rasteriser does not take.
+  /// The figure must outlive the stage. kUsage for sizes, sample counts or kernels that the rasteriser does not take.
   static Result<Stage> build(const Figure& figure, const StageOptions& options);
 
-  /// Draws a pose into width * height pixels (0x00RRGGBB). Nothing is allocated after the first frame.
-  void render(const Pose& pose, std::span<uint32_t> pixels);
+  /// Draws a pose into width * height pixels (0x00RRGGBB). `canvas` says what they hold: with kLastFrame only what has
+  /// changed since the last render is drawn and written. Nothing is allocated after the first frame.
+  void render(const Pose& pose, std::span<uint32_t> pixels, raster::Canvas canvas = raster::Canvas::kUnknown);
 
   const StageOptions& options() const { return options_; }
+  /// The pixels that the last render wrote; valid until the next.
+  std::span<const raster::PixelRect> damage() const { return renderer_.damage(); }
   /// Where the rasteriser's time went in the last render, for `auslanjam bench`.
   const raster::StageTimes& times() const { return renderer_.times(); }
   const raster::DrawStats& stats() const { return renderer_.stats(); }

@@ -27,11 +27,6 @@ struct CaptionStyle {
   int plate_opacity = 178;  ///< 0 (clear) to 255
 };
 
-/// Pixels x .. x+width-1 by y .. y+height-1.
-struct PixelRect {
-  int x = 0, y = 0, width = 0, height = 0;
-};
-
 /// Where paint() may draw: the band at the bottom of a frame that holds max_lines of text. Empty for an empty frame.
 PixelRect caption_band(int frame_width, int frame_height, const CaptionStyle& style);
 

@@ -25,6 +25,14 @@ struct FrameSpan {
   operator FrameView() const { return {pixels, width, height}; }  // NOLINT: a view of what can be written is free
 };
 
+/// A part of a picture: pixels x .. x+width-1 by y .. y+height-1.
+struct PixelRect {
+  int x = 0, y = 0, width = 0, height = 0;
+};
+
+/// What lies in both; empty (width 0) where nothing does.
+PixelRect intersection(const PixelRect& a, const PixelRect& b);
+
 /// Whether the sizes are positive and agree with the number of pixels.
 inline bool is_well_formed(FrameView frame) {
   return frame.width > 0 && frame.height > 0 &&

@@ -25,7 +25,7 @@ enum class WindowEvent {
   kLeft,
   kRight,
   kQuitKey,  ///< the key q
-  kResized,  ///< the picture is gone: call show() again. A mere exposure is repaired by poll() itself
+  kResized,  ///< the picture is gone: show it again. A mere exposure is repaired by poll() itself
 };
 
 /// One window. Use from the thread that opened it.
@@ -41,6 +41,9 @@ class Window {
   /// Shows a frame: copied as it is where the sizes agree, else scaled to the largest size of the same shape (nearest
   /// pixel, integer steps) between black bars. kUnwritable when the display is gone.
   Result<void> show(FrameView frame);
+  /// The same for a frame that differs from the one shown last within `changed` only, which is the caller's word: no
+  /// more than that is copied and sent, where the sizes agree and the window still holds its picture.
+  Result<void> show_changes(FrameView frame, std::span<const PixelRect> changed);
   /// Events since the last call; the span holds until the next call.
   std::span<const WindowEvent> poll();
 
