@@ -3,12 +3,12 @@
 # The frames of raster_digests.txt on processors that this one is not. Each way is a test of its own:
 #   raster_digests.sh masked PROGRAM     the C library takes the processor for one without FMA and AVX2
 #   raster_digests.sh nehalem PROGRAM    an emulated x86-64 of 2008: an instruction that is newer than SSE4.2 ends the program
-#   raster_digests.sh aarch64 FOLDER     built for AArch64 in FOLDER (kept from run to run), and emulated
+#   raster_digests.sh aarch64 FOLDER BUILD-TYPE    built for AArch64 in FOLDER (kept from run to run), and emulated
 # PROGRAM is raster_digests_print. Each kernel that it runs, and each that is named below, must give just the frames of the
 # list. Exit status 77: what the way needs is not installed.
 set -u -o pipefail
 here=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")
-way=$1 place=$2
+way=$1 place=$2 build_type=${3:-Release}
 
 need() {
   command -v "$1" >/dev/null && return
@@ -21,7 +21,7 @@ built_for_aarch64() {
   local folder=$1 report=$1/build.txt
   mkdir -p "$folder" || return 1
   if ! { [[ -f $folder/build.ninja ]] || cmake -S "$here/raster_aarch64" -B "$folder" -G Ninja \
-    -DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=aarch64 -DCMAKE_BUILD_TYPE=Release \
+    -DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=aarch64 -DCMAKE_BUILD_TYPE="$build_type" \
     -DCMAKE_CXX_COMPILER=aarch64-linux-gnu-g++ -DAUSLANJAM_WERROR=ON; } >"$report" 2>&1 ||
     ! cmake --build "$folder" --target raster_digests_print >>"$report" 2>&1; then
     tail -n 60 "$report"

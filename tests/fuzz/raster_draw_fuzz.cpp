@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hostile meshes, matrices, cameras, lights and sizes: nothing may crash, and the counts must add up.
+// Hostile meshes, matrices, cameras, lights and sizes, on every kernel, with threads, and frame after frame on one
+// canvas: nothing may crash, the counts must add up, and the pixels must be those of the scalar kernel with one thread.
 #include "raster/renderer.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -47,6 +49,8 @@ class Input {
     }
     return m;
   }
+  // Off the back, so that what is read there does not move what is read in front.
+  uint8_t take_last() { return size_ == 0 ? uint8_t{0} : data_[--size_]; }
   bool empty() const { return size_ == 0; }
 
  private:
@@ -67,68 +71,185 @@ Camera make_camera(Input& in) {
   return look_at_parallel(eye, target, up, size, aspect, near_plane, in.number());
 }
 
-void draw_one(Input& in, Renderer& renderer) {
+// One call of Renderer::draw with what it reads.
+struct Draw {
+  std::vector<glm::vec3> positions, normals;
+  std::vector<glm::u8vec4> colours;
+  std::vector<uint32_t> indices;
+  glm::mat4 world{1.0F};
+  Camera camera;
+  uint8_t mode = 0;
+  uint64_t revision = 0;
+};
+
+Draw read_draw(Input& in) {
+  Draw draw;
+  draw.camera = make_camera(in);
   const size_t count = in.take<uint8_t>() % 24U;
-  std::vector<glm::vec3> positions(count);
-  for (glm::vec3& p : positions)
+  draw.positions.resize(count);
+  for (glm::vec3& p : draw.positions)
     p = in.vector();
   const auto lengths = in.take<uint8_t>();
-  std::vector<glm::vec3> normals(lengths % 8U == 1 ? count / 2 : count);
-  for (glm::vec3& n : normals)
+  draw.normals.resize(lengths % 8U == 1 ? count / 2 : count);
+  for (glm::vec3& n : draw.normals)
     n = in.vector();
-  std::vector<glm::u8vec4> colours(lengths % 8U == 2 ? count + 1 : count);
-  for (glm::u8vec4& c : colours)
+  draw.colours.resize(lengths % 8U == 2 ? count + 1 : count);
+  for (glm::u8vec4& c : draw.colours)
     c = glm::u8vec4(in.take<uint8_t>());
-  std::vector<uint32_t> indices(in.take<uint8_t>() % 64U);
-  for (uint32_t& i : indices) {
+  draw.indices.resize(in.take<uint8_t>() % 64U);
+  for (uint32_t& i : draw.indices) {
     const auto byte = in.take<uint8_t>();
     i = byte > 250 ? in.take<uint32_t>() : byte % 24U;
   }
-  const glm::mat4 world = in.matrix();
-  const auto mode = in.take<uint8_t>();
-  renderer.draw(MeshView{positions, normals, colours, indices}, world,
-                (mode & 1U) != 0U ? Shading::kFlat : Shading::kGouraud,
-                (mode & 2U) != 0U ? CullMode::kNone : CullMode::kBack);
+  draw.world = in.matrix();
+  draw.mode = in.take<uint8_t>();
+  return draw;
 }
+
+void require(bool fact) {
+  if (!fact) std::abort();
+}
+
+struct Frame {
+  int width = 0, height = 0, samples = 1;
+  uint32_t background = 0;
+  Lighting lighting;
+  std::vector<Draw> draws;
+};
+
+void draw_frame(Renderer& renderer, const Frame& frame, std::vector<uint32_t>& pixels, Canvas canvas) {
+  require(renderer.begin_frame(frame.width, frame.height, frame.samples, frame.background) == Status::kOk);
+  renderer.set_lighting(frame.lighting);
+  for (const Draw& draw : frame.draws) {
+    renderer.set_camera(draw.camera);
+    renderer.draw(MeshView{draw.positions, draw.normals, draw.colours, draw.indices, draw.revision}, draw.world,
+                  (draw.mode & 1U) != 0U ? Shading::kFlat : Shading::kGouraud,
+                  (draw.mode & 2U) != 0U ? CullMode::kNone : CullMode::kBack);
+  }
+  require(renderer.end_frame(pixels, canvas) == Status::kOk);
+  const DrawStats& stats = renderer.stats();
+  require(stats.submitted == stats.rejected + stats.culled + stats.drawn);
+  require(stats.clipped <= stats.culled + stats.drawn);
+}
+
+void expect_same(const Renderer& a, const Renderer& b, const std::vector<uint32_t>& pixels_a,
+                 const std::vector<uint32_t>& pixels_b) {
+  require(pixels_a == pixels_b);
+  require(a.stats().submitted == b.stats().submitted && a.stats().rejected == b.stats().rejected);
+  require(a.stats().culled == b.stats().culled && a.stats().drawn == b.stats().drawn);
+  require(a.stats().clipped == b.stats().clipped);
+}
+
+// What happens to a frame before it is drawn again.
+void change(Frame& frame, uint8_t how, uint64_t& revision) {
+  if (frame.draws.empty()) return;
+  Draw& draw = frame.draws[how / 8U % frame.draws.size()];
+  switch (how % 8U) {
+    case 0:
+      break;
+    case 1:
+      draw.world[3][0] = draw.world[3][0] + 0.125F;
+      break;
+    case 2:
+      for (glm::u8vec4& c : draw.colours)
+        c.x = static_cast<uint8_t>(~c.x);
+      draw.revision = draw.revision == 0 ? 0 : ++revision;
+      break;
+    case 3:
+      std::rotate(draw.indices.begin(), draw.indices.begin() + (draw.indices.empty() ? 0 : 1), draw.indices.end());
+      draw.revision = ++revision;
+      break;
+    case 4:
+      frame.draws.pop_back();
+      break;
+    case 5:
+      std::swap(frame.draws.front(), draw);
+      break;
+    case 6:
+      frame.background ^= 0x00010203U;
+      break;
+    default:
+      draw.mode = static_cast<uint8_t>(draw.mode ^ 3U);
+  }
+}
+
+// Any size may be asked for; the frames that are filled in the end are small, so that runs stay short.
+void ask_for(Renderer& renderer, int width, int height, int samples) {
+  const Status asked = renderer.begin_frame(width, height, samples, 0);
+  const bool size = width >= 1 && width <= kMaxImageSize && height >= 1 && height <= kMaxImageSize;
+  const bool count = samples == 1 || samples == 2 || samples == 4 || samples == 8;
+  require((asked == Status::kOk) == (size && count));
+  require(size || asked == Status::kBadSize);
+}
+
+struct Renderers {
+  Renderer reference{1, Kernel::kScalar};
+  std::vector<Renderer> tried;  ///< each kernel with 1, 2 and 3 threads
+
+  Renderers() {
+    for (const Kernel kernel : runnable_kernels()) {
+      for (const int threads : {1, 2, 3})
+        tried.emplace_back(threads, kernel);
+    }
+  }
+};
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  static Renderers renderers;
+  static std::vector<uint32_t> wanted;
+  static std::vector<uint32_t> canvas;
   Input in(data, size);
-  static Renderer renderer;
+  Renderer& reference = renderers.reference;
+  Renderer& tried = renderers.tried[in.take_last() % renderers.tried.size()];
+  const uint8_t redraws = in.take_last() % 3U;
+  std::array<uint8_t, 2> changes{};
+  for (uint8_t& how : changes)
+    how = in.take_last();
+  const uint8_t known = in.take_last();  // which draws have a revision
+
   const auto raw_width = in.take<int32_t>();
   const auto raw_height = in.take<int32_t>();
   const int samples = in.take<uint8_t>() % 10;
-  const auto background = in.take<uint32_t>();
-  // Any size may be asked for; the frame that is filled in the end is small, so that runs stay short.
-  const Status asked = renderer.begin_frame(raw_width, raw_height, samples, background);
-  const bool legal = raw_width >= 1 && raw_width <= kMaxImageSize && raw_height >= 1 && raw_height <= kMaxImageSize &&
-                     (samples == 1 || samples == 2 || samples == 4 || samples == 8);
-  if ((asked == Status::kOk) != legal) std::abort();
+  Frame frame;
+  frame.background = in.take<uint32_t>();
+  ask_for(tried, raw_width, raw_height, samples);
 
-  const bool wide = (raw_width & 1) != 0;
-  const int width = 1 + static_cast<int>(static_cast<uint32_t>(raw_width) % (wide ? 16384U : 64U));
-  const int height = 1 + static_cast<int>(static_cast<uint32_t>(raw_height) % (wide ? 4U : 64U));
+  // Mostly small, at times over the borders of tiles (64 pixels), at times as wide as a frame can be.
+  const bool wide = (raw_width & 63) == 63;
+  const bool tiled = (raw_width & 15) == 1;
+  frame.width = 1 + static_cast<int>(static_cast<uint32_t>(raw_width) % (wide ? 16384U : tiled ? 80U : 36U));
+  frame.height = 1 + static_cast<int>(static_cast<uint32_t>(raw_height) % (wide ? 2U : tiled ? 70U : 20U));
   const int counts[] = {1, 2, 4, 8};
-  if (renderer.begin_frame(width, height, counts[samples % 4], background) != Status::kOk) std::abort();
-  Lighting lighting;
-  lighting.key_direction = in.vector();
-  lighting.key_colour = in.vector();
-  lighting.ambient_sky = in.vector();
-  renderer.set_lighting(lighting);
-  for (int draw = 0; draw < 8 && !in.empty(); ++draw) {
-    renderer.set_camera(make_camera(in));
-    draw_one(in, renderer);
+  frame.samples = wide ? 1 : counts[samples % 4];
+  frame.lighting.key_direction = in.vector();
+  frame.lighting.key_colour = in.vector();
+  frame.lighting.ambient_sky = in.vector();
+  uint64_t revision = 0;
+  for (uint32_t d = 0; d < 8 && !in.empty(); ++d) {
+    frame.draws.push_back(read_draw(in));
+    if ((known >> d & 1U) != 0U) frame.draws.back().revision = ++revision;
   }
-  const DrawStats& stats = renderer.stats();
-  if (stats.submitted != stats.rejected + stats.culled + stats.drawn) std::abort();
-  if (stats.clipped > stats.culled + stats.drawn) std::abort();
 
-  static std::vector<uint32_t> pixels;
-  pixels.assign(pixel_count(width, height), 0xFFFFFFFFU);
-  if (renderer.end_frame(pixels) != Status::kOk) std::abort();
-  for (const uint32_t pixel : pixels) {
-    if (pixel > 0xFFFFFFU) std::abort();  // every pixel was written, and none with garbage in its top byte
+  const size_t count = pixel_count(frame.width, frame.height);
+  wanted.assign(count, 0xFFFFFFFFU);
+  canvas.assign(count, 0xFFFFFFFFU);
+  draw_frame(reference, frame, wanted, Canvas::kUnknown);
+  draw_frame(tried, frame, canvas, Canvas::kUnknown);
+  expect_same(reference, tried, wanted, canvas);
+  for (const uint32_t pixel : canvas)
+    require(pixel <= 0xFFFFFFU);  // every pixel was written, and none with garbage in its top byte
+
+  for (uint8_t redraw = 0; redraw < redraws; ++redraw) {
+    change(frame, changes[redraw], revision);
+    draw_frame(reference, frame, wanted, Canvas::kUnknown);
+    draw_frame(tried, frame, canvas, Canvas::kLastFrame);
+    expect_same(reference, tried, wanted, canvas);
+    for (const PixelRect& rect : tried.damage()) {
+      require(rect.x >= 0 && rect.y >= 0 && rect.width > 0 && rect.height > 0);
+      require(rect.x + rect.width <= frame.width && rect.y + rect.height <= frame.height);
+    }
   }
   return 0;
 }
