@@ -34,3 +34,8 @@ endforeach()
 add_test(NAME readme.commands COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/unit/readme_commands.sh $<TARGET_FILE:auslanjam>
   ${PROJECT_SOURCE_DIR}/README.md)
 set_tests_properties(readme.commands PROPERTIES LABELS unit TIMEOUT 1200)
+
+find_package(nlohmann_json REQUIRED)
+auslan_test(programs_bench LABEL unit LIBRARIES auslan::raster nlohmann_json::nlohmann_json
+  DEFINITIONS AUSLANJAM_PROGRAM="$<TARGET_FILE:auslanjam>")
+add_dependencies(programs_bench_test auslanjam auslan_baked_figure auslan_built_lexicon)

@@ -24,10 +24,12 @@ constexpr std::string_view kExamples =
     "  auslanjam motion \"Thank you\" -o t.jsonl             the motion itself\n"
     "  auslanjam translate \"I do not understand.\"          the glosses and why\n"
     "  auslanjam db search hospital                        look a sign up\n"
+    "  auslanjam bench                                     what a frame costs here\n"
     "`auslanjam COMMAND --help` tells what each takes. Exit status: 0 done, 1 the work failed, 2 the command line was "
     "wrong.\n";
 
-constexpr std::array<std::string_view, 6> kCommands = {"sign", "render", "motion", "translate", "db", "experiment"};
+constexpr std::array<std::string_view, 7> kCommands = {"sign", "render",     "motion", "translate",
+                                                       "db",   "experiment", "bench"};
 
 /// A whole number in a range, or a message that names it.
 std::string parse_int(const std::string& text, int least, int most, int& value) {
@@ -107,7 +109,8 @@ void add_performance(CLI::App& app, Options& options) {
   });
 }
 
-void add_picture(CLI::App& app, Options& options) {
+/// What a frame looks like.
+void add_frame_form(CLI::App& app, Options& options) {
   add_parsed(app, "--size", "Of the picture in pixels (1280x720)", "WxH",
              [&options](const std::string& text) { return parse_size(text, options.stage); });
   add_parsed(app, "--aa", "Anti-aliasing samples a pixel: 1, 2, 4 or 8 (4)", "N",
@@ -131,9 +134,45 @@ void add_picture(CLI::App& app, Options& options) {
                options.stage.camera = *camera;
                return {};
              });
+}
+
+void add_picture(CLI::App& app, Options& options) {
+  add_frame_form(app, options);
   app.add_flag("--caption", options.caption, "Write the English under the picture");
   add_parsed(app, "--threads", "How many frames are drawn at once (1)", "N",
              [&options](const std::string& text) { return parse_int(text, 1, 64, options.threads); });
+}
+
+void add_bench(CLI::App& app, Options& options) {
+  app.add_option("TEXT", options.source.text, "English to sign; quote it (\"Where does it hurt?\")");
+  add_frame_form(app, options);
+  add_parsed(
+      app, "--threads", "How many threads share the work of a frame (1)", "N",
+      [&options](const std::string& text) { return parse_int(text, 1, raster::kMaxThreads, options.stage.threads); });
+  add_parsed(app, "--kernel", "Of the rasteriser: the instructions it may use (the fastest that runs here)", "NAME",
+             [&options](const std::string& text) {
+               std::string names;
+               for (const raster::Kernel kernel : raster::runnable_kernels()) {
+                 if (raster::name_of(kernel) == text) options.stage.kernel = kernel;
+                 names += (names.empty() ? "" : ", ") + std::string(raster::name_of(kernel));
+               }
+               return options.stage.kernel ? std::string()
+                                           : "takes one that runs here (" + names + "), not \"" + text + "\"";
+             });
+  add_parsed(app, "--frames", "How many to time after the first (those of the sentence)", "N",
+             [&options](const std::string& text) { return parse_int(text, 1, 1000000, options.frames); });
+  app.footer(
+      "Draws the sentence as the window does, each frame on what the last one left, and times the steps of a frame:\n"
+      "  animate    the score gives a pose, the pose places the figure's parts\n"
+      "  transform  their vertices go to the screen and are lit\n"
+      "  set_up     triangles are culled, cut and sorted into tiles\n"
+      "  raster     tiles become pixels\n"
+      "  present    what changed goes into the window; without a display it is copied in memory\n"
+      "Wall-clock time, the least and the median of the frames after the first; \"cpu\" is what all threads used.\n"
+      "No text is written on the frames. Compare figures of one computer only, when nothing else runs on it.\n"
+      "Examples:\n"
+      "  auslanjam bench\n"
+      "  auslanjam bench --size 640x480 --aa 1 --kernel sse2 --json");
 }
 
 void add_common(CLI::App& app, Options& options) {
@@ -156,6 +195,7 @@ std::string check(const Options& options) {
     case Command::kRender:
     case Command::kMotion:
     case Command::kTranslate:
+    case Command::kBench:
       if (sources == 0) return "there is no TEXT to sign: give English in quotes, as auslanjam \"Where does it hurt?\"";
       if (sources > 1) return "give only one of TEXT, --gloss, --sigml, --hamnosys and --motion";
       if (source.text && is_blank(*source.text)) return "the TEXT is empty: give English to sign";
@@ -210,6 +250,8 @@ std::variant<Options, ExitNow> parse_command_line(int argc, const char* const* a
   experiment->add_option("-o,--output", options.output, "The folder to fill; it is made when missing")
       ->type_name("FOLDER");
   experiment->add_option("--avatar", options.avatar, "Another figure")->type_name("FILE");
+  CLI::App* bench = app.add_subcommand("bench", "Time the steps of a frame on this computer");
+  add_bench(*bench, options);
   CLI::App* db = app.add_subcommand("db", "Look into the lexicon");
   db->require_subcommand(1);
   CLI::App* list = db->add_subcommand("list", "List the entries");
@@ -222,7 +264,7 @@ std::variant<Options, ExitNow> parse_command_line(int argc, const char* const* a
   CLI::App* search = db->add_subcommand("search", "Search glosses, English words and definitions");
   search->add_option("WORDS", options.words, "What to look for")->required();
   CLI::App* check_db = db->add_subcommand("check", "Check the database against its rules");
-  for (CLI::App* sub : {sign, render, motion, translate, experiment, list, show, search, check_db})
+  for (CLI::App* sub : {sign, render, motion, translate, experiment, bench, list, show, search, check_db})
     add_common(*sub, options);
 
   // `auslanjam TEXT` is `auslanjam sign TEXT`.
@@ -253,6 +295,8 @@ std::variant<Options, ExitNow> parse_command_line(int argc, const char* const* a
   if (*motion) options.command = Command::kMotion;
   if (*translate) options.command = Command::kTranslate;
   if (*experiment) options.command = Command::kExperiment;
+  if (*bench) options.command = Command::kBench;
+  if (*bench && !options.source.text) options.source.text = "Where does it hurt?";
   if (*list) options.command = Command::kDbList;
   if (*show) options.command = Command::kDbShow;
   if (*search) options.command = Command::kDbSearch;

@@ -11,7 +11,7 @@
 
 namespace auslan {
 
-enum class Command { kSign, kRender, kMotion, kTranslate, kDbList, kDbShow, kDbSearch, kDbCheck, kExperiment };
+enum class Command { kSign, kRender, kMotion, kTranslate, kDbList, kDbShow, kDbSearch, kDbCheck, kExperiment, kBench };
 
 /// What is to be signed: exactly one of these.
 struct Source {
@@ -36,7 +36,8 @@ struct Options {
   bool left_handed = false;
   bool caption = false;
   bool idle = true;
-  int threads = 1;
+  int threads = 1;  ///< frames drawn at once; how many share a frame is stage.threads
+  int frames = 0;   ///< for bench; 0: those of the show
   uint64_t seed = 1;
   bool quiet = false;
   bool json = false;
