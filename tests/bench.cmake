@@ -53,6 +53,9 @@ endif()
 add_custom_target(bench ALL)
 add_dependencies(bench tests_bench)
 
+auslan_test(bench_scenes LABEL unit
+  SOURCES unit/bench_scenes_test.cpp bench/measurement.cpp bench/picture_difference.cpp LIBRARIES auslan_bench_scene)
+add_dependencies(bench_scenes_test bench_scenes)
 add_test(NAME bench.every_scene COMMAND raster_bench --benchmark_min_time=0
   --benchmark_filter=640x480/4x.*clean|fill/.*1_thread/clean|tiny/.*1x/.*2_threads/full|arm|still)
 add_test(NAME bench.report COMMAND raster_bench --report --quick --json ${PROJECT_BINARY_DIR}/bench_quick.json)

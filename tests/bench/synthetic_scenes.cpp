@@ -110,8 +110,8 @@ Scene make_tiny() {
   SceneMesh mesh;
   for (uint32_t row = 0; row <= kRows; ++row) {
     for (uint32_t column = 0; column <= kColumns; ++column) {
-      const float u = (static_cast<float>(column) + random.between(-0.15F, 0.15F)) / static_cast<float>(kColumns);
-      const float v = (static_cast<float>(row) + random.between(-0.15F, 0.15F)) / static_cast<float>(kRows);
+      const float u = (static_cast<float>(column) + random.between(-0.07F, 0.07F)) / static_cast<float>(kColumns);
+      const float v = (static_cast<float>(row) + random.between(-0.07F, 0.07F)) / static_cast<float>(kRows);
       const float depth = random.between(0.4F, 0.6F);
       add_vertex(mesh, random, glm::vec3(kHalf * (2.0F * u - 1.0F), kHalf * (2.0F * v - 1.0F), depth));
     }
