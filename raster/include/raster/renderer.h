@@ -28,6 +28,9 @@
 
 namespace auslan::raster {
 
+static_assert(glm::defaultp == glm::packed_highp,
+              "the arrays of a mesh are of GLM's packed types: compile without GLM_FORCE_DEFAULT_ALIGNED_GENTYPES");
+
 /// An indexed triangle mesh. What the spans show must stay as it is from the call of draw to the end of end_frame.
 /// Triangles wind counter-clockwise seen from outside.
 struct MeshView {
@@ -40,8 +43,10 @@ struct MeshView {
   uint64_t revision = 0;
 };
 
-/// Two directional lights and a hemisphere. Colours are linear light (1 is full), directions point towards the light in
-/// world space at any length. A direction of length 0 and everything that is not finite or is negative counts as dark.
+/// Two directional lights and a hemisphere. A surface shows its colour times the sum of what it receives: of each light
+/// its colour times the cosine of the angle to it (Lambert), of the hemisphere sky and ground; what exceeds 1 is cut,
+/// each channel for itself. Colours are linear light (1 is full), directions point towards the light in world space at
+/// any length. A direction of length 0 and everything that is not finite or is negative counts as dark.
 struct Lighting {
   glm::vec3 key_direction{0.0F, 0.0F, 1.0F};
   glm::vec3 key_colour{0.0F};
@@ -75,7 +80,8 @@ enum class [[nodiscard]] Status{
 /// What the pixels hold when end_frame is called.
 enum class Canvas {
   kUnknown,    ///< anything: every pixel is written
-  kLastFrame,  ///< the caller's word: just what this renderer's last end_frame left in them; only changes are written
+  kLastFrame,  ///< the caller's word: just what this renderer's last end_frame left in them; only changes are written.
+               ///< As kUnknown where the last frame had another size, sample count or background, or there was none
 };
 
 /// Pixels from (x, y) to (x + width, y + height), the latter not included.
@@ -94,7 +100,8 @@ inline constexpr int kMaxThreads = 32;
 
 /// Draws frames: begin_frame, then any number of set_camera, set_lighting, draw, then end_frame, which does the work.
 /// Owns its working memory and keeps it from frame to frame: after the first frame of a kind nothing is allocated.
-/// One object belongs to one thread at a time; objects are independent.
+/// One object belongs to one thread at a time; objects are independent. One that was moved from can only be assigned to
+/// or destroyed. What it reports in a Status it never throws; memory that the system refuses is std::bad_alloc.
 class Renderer {
  public:
   /// `threads`: how many threads share the work, the caller's among them; held within 1..kMaxThreads.
@@ -124,7 +131,8 @@ class Renderer {
   /// kBadSize it is still open.
   Status end_frame(std::span<uint32_t> pixels, Canvas canvas = Canvas::kUnknown);
 
-  /// Of the last frame that ended. The pixels that it wrote, as rectangles that do not overlap; valid until end_frame.
+  /// Of the last frame that ended; nothing before the first. The pixels that it wrote, as rectangles that do not
+  /// overlap; valid until end_frame.
   std::span<const PixelRect> damage() const noexcept;
   const DrawStats& stats() const noexcept;
   const StageTimes& times() const noexcept;
