@@ -27,6 +27,9 @@ diff <(listing "$work/first place") <(listing "$work/of the whole") || wrong "th
 mv "$work/first place" "$work/second place"
 prefix="$work/second place"
 ! grep -rF -e "$source" -e "$work" "$prefix" --include=*.cmake --include=*.pc || wrong "a path of this machine was installed"
+# Inline functions of GLM, had the library its own copies, could be replaced by a user's with other floating-point flags.
+[[ $* != *CMAKE_BUILD_TYPE=Release* ]] || ! nm -C "$(find "$prefix" -name libauslan_raster.a)" | grep -E ' [WVu] ([a-z ]+ )?glm::' ||
+  wrong "the library shares functions of GLM with its users"
 
 project -S "$source/raster/example" -B "$work/example" -DCMAKE_PREFIX_PATH="$prefix" -DCMAKE_BUILD_TYPE=Release \
   -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
