@@ -97,6 +97,7 @@ inline testing::AssertionResult same_pictures(const std::filesystem::path& folde
   expected(shown, pixels[0]);
   actual(shown, pixels[1]);
   std::filesystem::create_directories(folder);
+  std::ofstream(folder / (name + ".txt")) << (shown == 0 ? "no triangle" : describe(draws, *triangle)) << '\n';
   write_picture(folder / (name + ".expected.ppm"), pixels[0], size);
   write_picture(folder / (name + ".actual.ppm"), pixels[1], size);
   const auto differing = std::mismatch(pixels[0].begin(), pixels[0].end(), pixels[1].begin(), pixels[1].end());

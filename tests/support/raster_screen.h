@@ -77,6 +77,23 @@ inline std::vector<Kernel> kernels_here() {
   return {kernels.begin(), kernels.end()};
 }
 
+// Sanitizers slow the scalar kernel down fifty times.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+inline constexpr int kPartOf = 5;
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+inline constexpr int kPartOf = 5;
+#else
+inline constexpr int kPartOf = 1;
+#endif
+#else
+inline constexpr int kPartOf = 1;
+#endif
+/// How many of `count` random cases to try: all of them, or a part in a build with sanitizers.
+inline constexpr int cases(int count) {
+  return count < kPartOf ? 1 : count / kPartOf;
+}
+
 #define ON_EVERY_KERNEL(suite) \
   INSTANTIATE_TEST_SUITE_P(Kernel, suite, testing::ValuesIn(kernels_here()), kernel_test_name)
 

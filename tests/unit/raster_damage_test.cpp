@@ -209,7 +209,7 @@ class Damage : public testing::TestWithParam<std::tuple<Kernel, int>> {
 TEST_P(Damage, RandomChangesGiveThePictureOfAFullRedraw) {
   Renderer full(1, std::get<0>(GetParam()));
   std::vector<uint32_t> wanted;
-  for (uint64_t seed = 0; seed < 8; ++seed) {
+  for (uint64_t seed = 0; seed < static_cast<uint64_t>(cases(8)); ++seed) {
     World world(8000 + seed, seed % 2 == 0 ? 1 : 4);
     Tracked kept = tracked();
     for (int frame = 0; frame < 60; ++frame) {

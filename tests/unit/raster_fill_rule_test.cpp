@@ -30,7 +30,7 @@ void expect_exact(int width, int height, int count, uint64_t seed, Make make) {
   Screen screen(width, height);
   int wrong = 0;
   int64_t covered = 0;
-  for (int i = 0; i < count && wrong < 5; ++i) {
+  for (int i = 0; i < cases(count) && wrong < 5; ++i) {
     const Triangle triangle = make(random);
     screen.begin();
     screen.add(triangle);

@@ -39,7 +39,7 @@ TEST_P(KernelFigure, DrawnLikeTheScalarKernelDoes) {
     tried.emplace_back(threads, GetParam());
   std::vector<uint32_t> wanted;
   std::vector<uint32_t> drawn;
-  for (uint64_t seed = 0; seed < 3; ++seed) {
+  for (uint64_t seed = 0; seed < static_cast<uint64_t>(cases(3)); ++seed) {
     const Pose pose = random_pose(figure, 7500 + seed);
     forward(figure.skeleton, pose, world);
     for (const Shading shading : {Shading::kFlat, Shading::kGouraud}) {

@@ -57,7 +57,7 @@ TEST_P(Multisample, EveryPixelIsTheRootMeanSquareOfItsExactSamples) {
   Random random(30);
   Screen screen(16, 16, samples);
   int64_t partial = 0;
-  for (int i = 0; i < 8000; ++i) {
+  for (int i = 0; i < cases(8000); ++i) {
     Triangle t;
     const int64_t grid = i % 2 == 0 ? 1 : 16;  // every second triangle has corners on sample positions
     for (Point& p : t) {
@@ -83,14 +83,14 @@ TEST_P(Multisample, EveryPixelIsTheRootMeanSquareOfItsExactSamples) {
       }
     }
   }
-  EXPECT_TRUE(samples == 1 || partial > 10000) << partial << " pixels at an edge";
+  EXPECT_TRUE(samples == 1 || partial > cases(8000)) << partial << " pixels at an edge";
 }
 
 TEST_P(Multisample, TrianglesWithACommonEdgeShareTheSamplesOfEveryPixel) {
   const int samples = sample_count();
   Random random(31);
   Screen screen(16, 16, samples);
-  for (int mesh = 0; mesh < 300; ++mesh) {
+  for (int mesh = 0; mesh < cases(300); ++mesh) {
     const Point hub = {random.between(0, 256) * 16, random.between(0, 256) * 16};
     const Point rim[4] = {{-900, -900}, {-900, 5200}, {5200, 5200}, {5200, -900}};
     std::vector<int> sum(256, 0);
@@ -130,7 +130,7 @@ TEST_P(Multisample, DepthIsPerSample) {
   const int samples = sample_count();
   const Triangle whole = {Point{-99, -99}, Point{-99, 99999}, Point{99999, -99}};
   Random random(33);
-  for (int i = 0; i < 500; ++i) {
+  for (int i = 0; i < cases(500); ++i) {
     const Triangle t = {Point{random.between(0, 2048), random.between(0, 2048)},
                         Point{random.between(0, 2048), random.between(0, 2048)},
                         Point{random.between(0, 2048), random.between(0, 2048)}};
