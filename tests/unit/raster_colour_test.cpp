@@ -269,6 +269,77 @@ TEST_P(Gouraud, ShortCutStaysWithinItsBound) {
   EXPECT_EQ(compared, 400 * 64);
 }
 
+// Triangles of up to 30 pixels, which have a path of their own: every pixel within a level of the plane through its
+// corners' colours, and none brighter or darker than they are. Not slivers, whose planes are steeper than levels can
+// tell.
+TEST_P(Gouraud, SmallTrianglesFollowThePlaneThroughTheirCorners) {
+  Random random(82);
+  constexpr int kCell = 32;
+  constexpr int kAcross = 16;
+  double sum = 0.0;
+  int64_t compared = 0;
+  for (int frame = 0; frame < 8; ++frame) {
+    Screen screen(kCell * kAcross, kCell * kAcross);
+    std::vector<Triangle> triangles;
+    std::vector<glm::vec3> positions;
+    std::vector<glm::u8vec4> colours;
+    std::vector<uint32_t> indices;
+    while (triangles.size() < kAcross * kAcross) {
+      const auto cell = static_cast<int64_t>(triangles.size());
+      const int64_t reach = random.once_in(2) ? 30 * 256 : 6 * 256;
+      Triangle t;
+      for (Point& p : t) {
+        p.x = random.between(0, reach) + cell % kAcross * kCell * 256;
+        p.y = random.between(0, reach) + cell / kAcross * kCell * 256;
+      }
+      double longest = 0.0;
+      for (size_t i = 0; i < 3; ++i) {
+        const auto dx = static_cast<double>(t[i].x - t[(i + 1) % 3].x);
+        const auto dy = static_cast<double>(t[i].y - t[(i + 1) % 3].y);
+        longest = std::max(longest, std::sqrt(dx * dx + dy * dy));
+      }
+      // At least two pixels across everywhere.
+      if (std::abs(static_cast<double>(doubled_area(t[0], t[1], t[2]))) < longest * 512.0) continue;
+      triangles.push_back(t);
+      for (const Point& p : t) {
+        indices.push_back(static_cast<uint32_t>(positions.size()));
+        positions.push_back(screen.place(p));
+        const uint64_t colour = random.next();
+        colours.emplace_back(colour & 255U, colour >> 8U & 255U, colour >> 16U & 255U, 255);
+      }
+    }
+    screen.add_mesh(positions, std::vector<glm::vec3>(positions.size(), kTowardsViewer), colours, indices,
+                    Shading::kGouraud);
+    screen.end();
+    for (int row = 0; row < screen.height(); ++row) {
+      for (int column = 0; column < screen.width(); ++column) {
+        const auto cell = static_cast<size_t>(row / kCell * kAcross + column / kCell);
+        const Triangle& t = triangles[cell];
+        const Point here = centre(column, row);
+        if (!covers(t, here)) continue;
+        const auto area = static_cast<double>(doubled_area(t[0], t[1], t[2]));
+        const uint32_t pixel = screen.pixel(column, row);
+        const uint32_t drawn[3] = {red_of(pixel), green_of(pixel), blue_of(pixel)};
+        for (int channel = 0; channel < 3; ++channel) {
+          double exact = 0.0;
+          for (size_t i = 0; i < 3; ++i) {
+            exact += colours[3 * cell + i][channel] *
+                     static_cast<double>(doubled_area(t[(i + 1) % 3], t[(i + 2) % 3], here)) / area;
+          }
+          ASSERT_NEAR(drawn[channel], exact, 1.0) << column << ", " << row;
+          const auto [least, greatest] =
+              std::minmax({colours[3 * cell][channel], colours[3 * cell + 1][channel], colours[3 * cell + 2][channel]});
+          ASSERT_TRUE(drawn[channel] >= least && drawn[channel] <= greatest) << column << ", " << row;
+          sum += drawn[channel] - exact;
+          ++compared;
+        }
+      }
+    }
+  }
+  EXPECT_GT(compared, 100000);
+  EXPECT_NEAR(sum / static_cast<double>(compared), 0.0, 0.02) << "rounding should favour neither side";
+}
+
 TEST_P(Flat, AFaceHasOneColour) {
   Screen screen(16, 16);
   const glm::vec3 positions[3] = {glm::vec3(-1, -1, 0.5F), glm::vec3(3, -1, 0.5F), glm::vec3(-1, 3, 0.5F)};
