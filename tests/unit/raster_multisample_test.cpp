@@ -2,6 +2,7 @@
 // Multisampling: Direct3D's sample positions, exact coverage of each, and the root mean square of their levels.
 #include "raster_screen.h"
 
+#include <cmath>
 #include <tuple>
 
 namespace auslan::raster {
@@ -31,7 +32,9 @@ uint32_t code_of(int covered, int samples, uint32_t level = 255, uint32_t rest =
   const auto inside = static_cast<uint32_t>(covered);
   const auto all = static_cast<uint32_t>(samples);
   const uint32_t squares = inside * level * level + (all - inside) * rest * rest;
-  uint32_t code = 0;
+  // From a little below, so that the square root's rounding does not matter.
+  auto code = static_cast<uint32_t>(std::sqrt(static_cast<double>(squares) / samples));
+  code -= code > 0 ? 1 : 0;
   while ((2 * code + 1) * (2 * code + 1) * all <= 4 * squares)
     ++code;
   return code;
