@@ -24,33 +24,38 @@ int32_t reach_of(int samples) {
 }
 
 // Twice the area on the screen in square sub-pixels; positive when clockwise with y down.
-int64_t doubled_area(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c) {
+int64_t doubled_area(const Corner& a, const Corner& b, const Corner& c) {
   const auto difference = [](float to, float from) { return static_cast<int64_t>(to - from); };
   return difference(b.x, a.x) * difference(c.y, a.y) - difference(c.x, a.x) * difference(b.y, a.y);
 }
 
-}  // namespace
-
-void TileRect::include(int left, int top, int right, int bottom) {
-  if (empty()) {
-    *this = TileRect{left, top, right + 1, bottom + 1};
-    return;
-  }
-  x0 = std::min(x0, left);
-  y0 = std::min(y0, top);
-  x1 = std::max(x1, right + 1);
-  y1 = std::max(y1, bottom + 1);
+// First and last tile of a range, as Survivor has them.
+uint32_t tile_range(int32_t first, int32_t last, int32_t size) {
+  return static_cast<uint32_t>(first / size) | static_cast<uint32_t>(last / size) << 16U;
 }
+
+uint32_t colour_of(const RecordedDraw& draw, const uint32_t* corner) {
+  if (draw.shading == Shading::kGouraud) return kGouraudColour;
+  return flat_colour(draw.mesh, corner, draw.placement, draw.lights);
+}
+
+}  // namespace
 
 // What the triangles of one piece have in common.
 struct Bins::Sorting {
+  Bins& bins;
   const RecordedDraw& draw;
   Piece& piece;
   const Viewport& viewport;
-  std::span<const ScreenVertex> vertices;
+  const ScreenVertices& vertices;
   const TileLists& lists;
   int32_t reach;
-  int tiles_across;
+  uint32_t tiles_across;
+
+  bool two_sided() const { return draw.cull == CullMode::kNone; }
+  // Counter-clockwise in the world, y up, is a negative area on the screen, y down.
+  bool shows(int64_t area) const { return area != 0 && (two_sided() || (area < 0) != draw.placement.mirrored); }
+  const uint32_t* corners(const Survivor& survivor) const { return &draw.mesh.indices[3 * size_t{survivor.triangle}]; }
 };
 
 void Bins::reset() noexcept {
@@ -59,71 +64,68 @@ void Bins::reset() noexcept {
 }
 
 void Bins::sort(const KernelTable& kernel, const RecordedDraw& draw, Piece& piece, const Viewport& viewport,
-                int samples, std::span<const ScreenVertex> vertices, const TileLists& lists) {
-  survivors_.resize(kBatch);
+                int samples, const ScreenVertices& vertices, const TileLists& lists) {
+  const int tiles_across = (viewport.width + kTileWidth - 1) / kTileWidth;
   Sorting sorting{
-      draw, piece, viewport, vertices, lists, reach_of(samples), (viewport.width + kTileSize - 1) / kTileSize};
+      *this, draw, piece, viewport, vertices, lists, reach_of(samples), static_cast<uint32_t>(tiles_across)};
   TriangleJob job{};
   job.indices = draw.mesh.indices.data();
+  job.begin = piece.begin;
+  job.end = piece.end;
   job.first_vertex = draw.first_vertex;
   job.vertex_count = static_cast<uint32_t>(draw.mesh.positions.size());
-  job.vertices = vertices.data();
+  job.points = vertices.points.data();
   job.mirrored = draw.placement.mirrored;
-  job.two_sided = draw.cull == CullMode::kNone;
+  job.two_sided = sorting.two_sided();
   job.width = viewport.width;
   job.height = viewport.height;
   job.reach = sorting.reach;
-  job.out = survivors_.data();
+  job.tails = draw.shading == Shading::kGouraud ? lists.tail.data() : nullptr;
+  job.tiles_across = tiles_across;
+  job.hand_over.take = [](void* context, const Survivor& survivor) {
+    auto& own = *static_cast<Sorting*>(context);
+    own.bins.take(own, survivor);
+  };
+  job.hand_over.context = &sorting;
   piece.stats = DrawStats{};
   piece.tiles = TileRect{};
   piece.stats.submitted = piece.end - piece.begin;
-  for (size_t begin = piece.begin; begin < piece.end; begin += kBatch) {
-    job.begin = begin;
-    job.end = std::min(begin + kBatch, piece.end);
-    const TriangleCounts counts = kernel.triangles(job);
-    piece.stats.rejected += counts.rejected;
-    for (const Survivor& survivor : std::span(survivors_).first(counts.survivors)) {
-      switch (survivor.route) {
-        case Route::kSmall:
-          small(sorting, survivor);
-          break;
-        case Route::kLarge: {
-          const ScreenVertex& a = vertices[survivor.corner[0]];
-          const ScreenVertex& b = vertices[survivor.corner[1]];
-          const ScreenVertex& c = vertices[survivor.corner[2]];
-          const int64_t area = doubled_area(a, b, c);
-          const bool front = (area < 0) != draw.placement.mirrored;
-          if (area == 0 || (!front && !job.two_sided)) break;
-          const uint32_t* corner = &draw.mesh.indices[3 * size_t{survivor.triangle}];
-          const uint32_t colour = draw.shading == Shading::kFlat
-                                      ? flat_colour(draw.mesh, corner, draw.placement, draw.lights)
-                                      : kGouraudColour;
-          if (large(sorting, a, b, c, colour)) ++piece.stats.drawn;
-          break;
-        }
-        case Route::kCut:
-          cut(sorting, survivor);
-          break;
-      }
-    }
-  }
+  const TriangleCounts counts = kernel.triangles(job);
+  piece.stats.rejected += counts.rejected;
+  piece.stats.drawn += counts.appended;
   piece.stats.culled = piece.stats.submitted - piece.stats.rejected - piece.stats.drawn;
+  if (counts.first_tile_column <= counts.last_tile_column && counts.first_tile_row <= counts.last_tile_row) {
+    piece.tiles.include(static_cast<int>(counts.first_tile_column), static_cast<int>(counts.first_tile_row),
+                        static_cast<int>(counts.last_tile_column), static_cast<int>(counts.last_tile_row));
+  }
 }
 
-void Bins::small(Sorting& sorting, const Survivor& survivor) {
-  const RecordedDraw& draw = sorting.draw;
-  Entry entry{{survivor.corner[0], survivor.corner[1], survivor.corner[2]}, kGouraudColour};
-  if (draw.shading == Shading::kFlat) {
-    const uint32_t* corner = &draw.mesh.indices[3 * size_t{survivor.triangle}];
-    entry.colour = flat_colour(draw.mesh, corner, draw.placement, draw.lights);
+void Bins::take(Sorting& sorting, const Survivor& survivor) {
+  switch (survivor.route) {
+    case Route::kSmall:
+      ++sorting.piece.stats.drawn;
+      return append(sorting, survivor.corner, colour_of(sorting.draw, sorting.corners(survivor)), survivor.tile_columns,
+                    survivor.tile_rows);
+    case Route::kLarge:
+      return large(sorting, survivor);
+    case Route::kCut:
+      return cut(sorting, survivor);
   }
-  append(sorting, entry, survivor.first_column, survivor.last_column, survivor.first_row, survivor.last_row);
-  ++sorting.piece.stats.drawn;
+}
+
+void Bins::large(Sorting& sorting, const Survivor& survivor) {
+  Corner corner[3];
+  for (size_t i = 0; i < 3; ++i) {
+    const uint32_t vertex = survivor.corner[i];
+    corner[i] = corner_of(sorting.vertices.points[vertex], sorting.vertices.values[vertex]);
+  }
+  if (!sorting.shows(doubled_area(corner[0], corner[1], corner[2]))) return;
+  const uint32_t colour = colour_of(sorting.draw, sorting.corners(survivor));
+  if (add_general(sorting, corner[0], corner[1], corner[2], colour)) ++sorting.piece.stats.drawn;
 }
 
 // A triangle with area that takes the long path. False when no sample of the frame can be inside.
-bool Bins::large(Sorting& sorting, const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c,
-                 uint32_t colour) {
+bool Bins::add_general(Sorting& sorting, const Corner& a, const Corner& b, const Corner& c, uint32_t colour) {
   const auto floor_pixel = [](float sub_pixels) { return static_cast<int32_t>(sub_pixels) >> kSubPixelBits; };
   const auto before = static_cast<float>(kSubPixels / 2 - 1 - sorting.reach);
   const auto behind = static_cast<float>(sorting.reach - kSubPixels / 2);
@@ -135,9 +137,9 @@ bool Bins::large(Sorting& sorting, const ScreenVertex& a, const ScreenVertex& b,
       first_row >= sorting.viewport.height || last_column < 0 || last_row < 0) {
     return false;
   }
-  const bool in_order = doubled_area(a, b, c) > 0;
   const size_t place = general_.size();
-  if (place >= (size_t{1} << kDeferredWorkerShift) - 1U) return false;
+  if (place >= (size_t{1} << kBinShift) - 1U) return false;  // Frame makes no group as large
+  const bool in_order = doubled_area(a, b, c) > 0;
   general_.emplace_back();
   GeneralTriangle& t = general_.back();
   set_up_general(a, in_order ? b : c, in_order ? c : b, colour, t);
@@ -145,8 +147,8 @@ bool Bins::large(Sorting& sorting, const ScreenVertex& a, const ScreenVertex& b,
   t.last_column = std::min(last_column, sorting.viewport.width - 1);
   t.first_row = std::max(first_row, 0);
   t.last_row = std::min(last_row, sorting.viewport.height - 1);
-  append(sorting, Entry{{worker_, static_cast<uint32_t>(place), 0}, kGeneralEntry}, t.first_column, t.last_column,
-         t.first_row, t.last_row);
+  append(sorting, {0, 0, 0}, kGeneralTriangle | number_ << kBinShift | static_cast<uint32_t>(place),
+         tile_range(t.first_column, t.last_column, kTileWidth), tile_range(t.first_row, t.last_row, kTileHeight));
   return true;
 }
 
@@ -154,7 +156,7 @@ bool Bins::large(Sorting& sorting, const ScreenVertex& a, const ScreenVertex& b,
 void Bins::cut(Sorting& sorting, const Survivor& survivor) {
   const RecordedDraw& draw = sorting.draw;
   DrawStats& stats = sorting.piece.stats;
-  const uint32_t* corner = &draw.mesh.indices[3 * size_t{survivor.triangle}];
+  const uint32_t* corner = sorting.corners(survivor);
   ClipPolygon polygon;
   polygon.count = 3;
   uint32_t any = 0;
@@ -167,14 +169,14 @@ void Bins::cut(Sorting& sorting, const Survivor& survivor) {
     if (draw.shading == Shading::kGouraud && !finite(draw.mesh.normals[corner[i]])) planes |= kBroken;
     any |= planes;
     all &= planes;
-    const ScreenVertex& screen = sorting.vertices[survivor.corner[i]];
+    const ScreenValues& values = sorting.vertices.values[survivor.corner[i]];
     ClipVertex& to = polygon.corner[i];
     to.x = static_cast<double>(clip.x);
     to.y = static_cast<double>(clip.y);
     to.z = static_cast<double>(clip.z);
     to.w = static_cast<double>(clip.w);
     for (int channel = 0; channel < 3; ++channel)
-      to.level[channel] = static_cast<double>(screen.level[channel]);
+      to.level[channel] = static_cast<double>(values.level[2 - channel]) / static_cast<double>(kLevelScale);
   }
   if ((any & kBroken) != 0U) {
     ++stats.rejected;
@@ -183,10 +185,10 @@ void Bins::cut(Sorting& sorting, const Survivor& survivor) {
   if (all != 0U) return;
 
   clip(polygon, sorting.viewport);
-  std::array<ScreenVertex, 9> screen{};
+  std::array<Corner, 9> screen{};
   for (int i = 0; i < polygon.count; ++i) {
     const ClipVertex& v = polygon.corner[static_cast<size_t>(i)];
-    ScreenVertex& to = screen[static_cast<size_t>(i)];
+    Corner& to = screen[static_cast<size_t>(i)];
     const glm::vec4 clipped(static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z),
                             static_cast<float>(v.w));
     if (!project(sorting.viewport, clipped, to)) {
@@ -199,35 +201,36 @@ void Bins::cut(Sorting& sorting, const Survivor& survivor) {
   ++stats.clipped;
   bool drawn = false;
   for (size_t i = 2; i < static_cast<size_t>(polygon.count); ++i) {
-    const int64_t area = doubled_area(screen[0], screen[i - 1], screen[i]);
-    const bool front = (area < 0) != draw.placement.mirrored;
-    if (area == 0 || (!front && draw.cull == CullMode::kBack)) continue;
-    const uint32_t colour =
-        draw.shading == Shading::kFlat ? flat_colour(draw.mesh, corner, draw.placement, draw.lights) : kGouraudColour;
-    if (large(sorting, screen[0], screen[i - 1], screen[i], colour)) drawn = true;
+    if (!sorting.shows(doubled_area(screen[0], screen[i - 1], screen[i]))) continue;
+    if (add_general(sorting, screen[0], screen[i - 1], screen[i], colour_of(draw, corner))) drawn = true;
   }
   if (drawn) ++stats.drawn;
 }
 
-void Bins::append(Sorting& sorting, const Entry& entry, int first_column, int last_column, int first_row,
-                  int last_row) {
-  const int left = std::max(first_column, 0) / kTileSize;
-  const int right = std::min(last_column, sorting.viewport.width - 1) / kTileSize;
-  const int top = std::max(first_row, 0) / kTileSize;
-  const int bottom = std::min(last_row, sorting.viewport.height - 1) / kTileSize;
+void Bins::append(Sorting& sorting, const uint32_t (&corner)[3], uint32_t colour, uint32_t tile_columns,
+                  uint32_t tile_rows) {
+  const auto left = static_cast<int>(tile_columns & 0xFFFFU);
+  const auto right = static_cast<int>(tile_columns >> 16U);
+  const auto top = static_cast<int>(tile_rows & 0xFFFFU);
+  const auto bottom = static_cast<int>(tile_rows >> 16U);
   sorting.piece.tiles.include(left, top, right, bottom);
   for (int row = top; row <= bottom; ++row) {
-    for (int column = left; column <= right; ++column) {
-      const auto tile = static_cast<size_t>(row * sorting.tiles_across + column);
-      EntryBlock*& tail = sorting.lists.tail[tile];
-      if (tail == nullptr || tail->count == EntryBlock::kCapacity) {
-        EntryBlock* block = new_block();
-        (tail == nullptr ? sorting.lists.head[tile] : tail->next) = block;
-        tail = block;
-      }
-      tail->entry[tail->count++] = entry;
-    }
+    for (int column = left; column <= right; ++column)
+      append_to(sorting, static_cast<size_t>(row) * sorting.tiles_across + static_cast<size_t>(column), corner, colour);
   }
+}
+
+inline void Bins::append_to(Sorting& sorting, size_t tile, const uint32_t (&corner)[3], uint32_t colour) {
+  EntryBlock*& tail = sorting.lists.tail[tile];
+  if (tail == nullptr || tail->count == EntryBlock::kCapacity) {
+    EntryBlock* block = new_block();
+    (tail == nullptr ? sorting.lists.head[tile] : tail->next) = block;
+    tail = block;
+  }
+  const uint32_t i = tail->count++;
+  for (size_t c = 0; c < 3; ++c)
+    tail->corner[c][i] = corner[c];
+  tail->colour[i] = colour;
 }
 
 EntryBlock* Bins::new_block() {
@@ -235,8 +238,7 @@ EntryBlock* Bins::new_block() {
   if (page == pages_.size()) pages_.push_back(std::make_unique_for_overwrite<EntryBlock[]>(kPage));
   EntryBlock* block = &pages_[page][blocks_ % kPage];
   ++blocks_;
-  block->next = nullptr;
-  block->count = 0;
+  *block = EntryBlock{};  // places that stay empty name a vertex that there is
   return block;
 }
 

@@ -12,11 +12,16 @@
 
 namespace auslan::raster {
 
-/// Tiles [x0, x1) by [y0, y1).
+/// Tiles from (x0, y0) to (x1, y1), both included; x0 > x1: none.
 struct TileRect {
-  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-  bool empty() const { return x0 >= x1; }
-  void include(int left, int top, int right, int bottom);  ///< right and bottom included
+  int x0 = kMaxImageSize, y0 = kMaxImageSize, x1 = -1, y1 = -1;
+  bool empty() const { return x0 > x1; }
+  void include(int left, int top, int right, int bottom) {
+    x0 = left < x0 ? left : x0;
+    y0 = top < y0 ? top : y0;
+    x1 = right > x1 ? right : x1;
+    y1 = bottom > y1 ? bottom : y1;
+  }
 };
 
 /// A draw as it was recorded, and what became of it.
@@ -46,41 +51,53 @@ struct Piece {
   TileRect tiles;
 };
 
+/// Vertices of the frame that have been through the vertex stage.
+struct ScreenVertices {
+  std::vector<ScreenPoint> points;
+  std::vector<ScreenValues> values;
+};
+
 /// One list of entries a tile.
 struct TileLists {
   std::span<EntryBlock*> head, tail;
 };
 
-/// One worker's triangles and entries. They stay where they are until `reset`.
+/// The triangles and entries of one group. They stay where they are until `reset`. What a group needs does not depend
+/// on which worker takes it, so a warm frame needs nothing new.
 class Bins {
  public:
-  /// `worker`: this object's place in the array that TileJob::general is.
-  explicit Bins(uint32_t worker) : worker_(worker) {}
+  /// Bins and triangles of one bin at most, as many as a deferred colour can name.
+  static constexpr size_t kMost = (size_t{1} << (31U - kBinShift)) - 1U;
+  static constexpr size_t kMostTriangles = (size_t{1} << kBinShift) / 7U;  // cutting can make seven of one
+
+  /// `number`: this object's place in the array that TileJob::general is.
+  explicit Bins(uint32_t number) : number_(number) {}
 
   void reset() noexcept;
 
   /// Takes a piece through the triangle stage and appends its entries to `lists`.
   void sort(const KernelTable& kernel, const RecordedDraw& draw, Piece& piece, const Viewport& viewport, int samples,
-            std::span<const ScreenVertex> vertices, const TileLists& lists);
+            const ScreenVertices& vertices, const TileLists& lists);
 
   const GeneralTriangle* general() const noexcept { return general_.data(); }
 
  private:
   struct Sorting;
-  static constexpr size_t kBatch = 256;
-  static constexpr size_t kPage = 256;
+  static constexpr size_t kPage = 64;
 
-  void small(Sorting& sorting, const Survivor& survivor);
-  bool large(Sorting& sorting, const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c, uint32_t colour);
+  void take(Sorting& sorting, const Survivor& survivor);
+  void large(Sorting& sorting, const Survivor& survivor);
   void cut(Sorting& sorting, const Survivor& survivor);
-  void append(Sorting& sorting, const Entry& entry, int first_column, int last_column, int first_row, int last_row);
+  bool add_general(Sorting& sorting, const Corner& a, const Corner& b, const Corner& c, uint32_t colour);
+  void append(Sorting& sorting, const uint32_t (&corner)[3], uint32_t colour, uint32_t tile_columns,
+              uint32_t tile_rows);
+  void append_to(Sorting& sorting, size_t tile, const uint32_t (&corner)[3], uint32_t colour);
   EntryBlock* new_block();
 
-  uint32_t worker_;
+  uint32_t number_;
   std::vector<GeneralTriangle> general_;
   std::vector<std::unique_ptr<EntryBlock[]>> pages_;
   size_t blocks_ = 0;
-  std::vector<Survivor> survivors_;
 };
 
 }  // namespace auslan::raster

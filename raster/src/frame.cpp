@@ -13,6 +13,11 @@ namespace {
 
 // Work is handed out in pieces of about this many vertices or triangles.
 constexpr size_t kPieceSize = 2048;
+// Of a frame. Each group of triangles has a bin of its own, and there are no more bins than a deferred colour can name.
+constexpr uint64_t kMostTriangles = uint64_t{1} << 27U;
+constexpr uint64_t kMostVertices = uint64_t{1} << 30U;
+static_assert(kMostTriangles / (Bins::kMostTriangles - kPieceSize) + 8U * kMaxThreads / 2U < Bins::kMost);
+static_assert(kMostVertices / kPieceSize <= Workers::kMostItems);
 
 template <class Value>
 bool same_bytes(const Value& a, const Value& b) {
@@ -55,11 +60,8 @@ class Clock {
 
 Frame::Frame(int threads, const KernelTable* kernel)
     : kernel_(kernel), workers_(std::make_unique<Workers>(std::clamp(threads, 1, kMaxThreads))) {
-  const auto count = static_cast<uint32_t>(workers_->count());
-  for (uint32_t worker = 0; worker < count; ++worker)
-    bins_.emplace_back(worker);
+  const auto count = static_cast<size_t>(workers_->count());
   buffers_.resize(count);
-  general_.resize(count);
 }
 
 size_t Frame::pixel_count() const {
@@ -70,8 +72,8 @@ void Frame::begin(int width, int height, int samples, uint32_t background) {
   viewport_ = make_viewport(width, height);
   samples_ = samples;
   background_ = background & 0xFFFFFFU;
-  tiles_across_ = (width + kTileSize - 1) / kTileSize;
-  tiles_down_ = (height + kTileSize - 1) / kTileSize;
+  tiles_across_ = (width + kTileWidth - 1) / kTileWidth;
+  tiles_down_ = (height + kTileHeight - 1) / kTileHeight;
   draw_count_ = 0;
   open_ = true;
 }
@@ -98,8 +100,6 @@ void Frame::end(std::span<uint32_t> pixels, Canvas canvas) {
     shown_.assign(tiles, 0);
   }
   dirty_.assign(tiles, incremental_ ? uint8_t{0} : uint8_t{1});
-  for (Bins& bins : bins_)
-    bins.reset();
 
   place_draws();
   find_changes();
@@ -124,30 +124,40 @@ void Frame::end(std::span<uint32_t> pixels, Canvas canvas) {
 // Refuses draws as wholes and gives each a place for its vertices.
 void Frame::place_draws() {
   uint64_t vertices = 0;
+  uint64_t triangles = 0;
   for (RecordedDraw& draw : std::span(draws_).first(draw_count_)) {
     const MeshView& mesh = draw.mesh;
     const size_t count = mesh.positions.size();
     const bool normals_fit = mesh.normals.size() == count || (draw.shading == Shading::kFlat && mesh.normals.empty());
     draw.good = normals_fit && mesh.colours.size() == count && mesh.indices.size() >= 3 &&
-                mesh.indices.size() / 3 <= 0xFFFFFFFFU && finite(draw.world_from_mesh) &&
-                finite(draw.camera.clip_from_view) && finite(draw.camera.view_from_world) &&
-                vertices + count <= 0xFFFFFFFFU && count > 0;
+                finite(draw.world_from_mesh) && finite(draw.camera.clip_from_view) &&
+                finite(draw.camera.view_from_world) && count > 0 && vertices + count <= kMostVertices &&
+                triangles + mesh.indices.size() / 3 <= kMostTriangles;
     if (!draw.good) continue;
+    triangles += mesh.indices.size() / 3;
     draw.first_vertex = static_cast<uint32_t>(vertices);
     vertices += count;
   }
-  grow(vertices_, vertices);
+  grow(vertices_.points, vertices);
+  grow(vertices_.values, vertices);
 }
 
 void Frame::find_changes() {
+  size_t runs = 0;
   for (size_t i = 0; i < draw_count_; ++i) {
     RecordedDraw& draw = draws_[i];
     draw.changed = !incremental_ || i >= last_draw_count_ || !looks_alike(draw, last_draws_[i]);
-    draw.processed = draw.changed;
+    if (i == 0 || draw.changed != draws_[i - 1].changed) ++runs;
     if (!draw.changed) {
       draw.stats = last_draws_[i].stats;
       draw.tiles = last_draws_[i].tiles;
     }
+  }
+  // Each run of draws that have or have not changed needs a bin of its own (list_pieces); beyond that there is no
+  // saving.
+  for (RecordedDraw& draw : std::span(draws_).first(draw_count_)) {
+    if (runs > Bins::kMost / 2) draw.changed = true;
+    draw.processed = draw.changed;
   }
 }
 
@@ -161,7 +171,8 @@ void Frame::list_pieces() {
   for (const RecordedDraw& draw : std::span(draws_).first(draw_count_))
     all += draw.good ? draw.mesh.indices.size() / 3 : 0;
   const auto workers = static_cast<size_t>(workers_->count());
-  const size_t group_size = workers == 1 ? all + 1 : std::max(all / (8 * workers), size_t{512});
+  const size_t shared = workers == 1 ? all : std::max(all / (8 * workers), size_t{512});
+  const size_t group_size = std::clamp(shared, size_t{1}, Bins::kMostTriangles - kPieceSize);
   const size_t piece_size = std::min(kPieceSize, group_size);
   size_t in_group = 0;
   for (size_t i = 0; i < draw_count_; ++i) {
@@ -183,6 +194,8 @@ void Frame::list_pieces() {
       in_group += end - begin;
     }
   }
+  while (bins_.size() < groups_.size())
+    bins_.emplace_back(static_cast<uint32_t>(bins_.size()));
   heads_.assign(groups_.size() * dirty_.size(), nullptr);
   tails_.assign(groups_.size() * dirty_.size(), nullptr);
 }
@@ -221,7 +234,8 @@ void Frame::transform(bool changed) {
     job.placement = &draw.placement;
     job.lights = &draw.lights;
     job.viewport = &viewport_;
-    job.out = &vertices_[draw.first_vertex];
+    job.points = &vertices_.points[draw.first_vertex];
+    job.values = &vertices_.values[draw.first_vertex];
     kernel_->vertices(job);
   };
   workers_->share(static_cast<uint32_t>(work_.size()), work);
@@ -233,14 +247,16 @@ void Frame::sort(bool changed) {
     if (groups_[i].changed == changed) work_.push_back(static_cast<uint32_t>(i));
   }
   const size_t tiles = dirty_.size();
-  auto work = [this, tiles](uint32_t item, int worker) {
+  auto work = [this, tiles](uint32_t item, int) {
     const Group& group = groups_[work_[item]];
+    Bins& bins = bins_[work_[item]];
+    bins.reset();
     const size_t first = work_[item] * tiles;
     const TileLists lists{std::span(heads_).subspan(first, tiles), std::span(tails_).subspan(first, tiles)};
     for (size_t i = group.first_piece; i < group.last_piece; ++i) {
       const RecordedDraw& draw = draws_[pieces_[i].draw];
       if (!draw.processed) continue;
-      bins_[static_cast<size_t>(worker)].sort(*kernel_, draw, pieces_[i], viewport_, samples_, vertices_, lists);
+      bins.sort(*kernel_, draw, pieces_[i], viewport_, samples_, vertices_, lists);
     }
   };
   workers_->share(static_cast<uint32_t>(work_.size()), work);
@@ -252,8 +268,7 @@ void Frame::sort(bool changed) {
     draw.stats.culled += piece.stats.culled;
     draw.stats.drawn += piece.stats.drawn;
     draw.stats.clipped += piece.stats.clipped;
-    if (!piece.tiles.empty())
-      draw.tiles.include(piece.tiles.x0, piece.tiles.y0, piece.tiles.x1 - 1, piece.tiles.y1 - 1);
+    if (!piece.tiles.empty()) draw.tiles.include(piece.tiles.x0, piece.tiles.y0, piece.tiles.x1, piece.tiles.y1);
   }
 }
 
@@ -262,8 +277,8 @@ void Frame::mark_changed_tiles() {
   for (size_t i = 0; i < last_draw_count_; ++i) {
     if (i < draw_count_ && !draws_[i].changed) continue;
     const TileRect& tiles = last_draws_[i].tiles;
-    for (int row = tiles.y0; row < tiles.y1; ++row) {
-      for (int column = tiles.x0; column < tiles.x1; ++column) {
+    for (int row = tiles.y0; row <= tiles.y1; ++row) {
+      for (int column = tiles.x0; column <= tiles.x1; ++column) {
         const auto tile = static_cast<size_t>(row * tiles_across_ + column);
         if (shown_[tile] != 0) dirty_[tile] = 1;
       }
@@ -279,9 +294,10 @@ void Frame::take_unchanged_draws() {
   for (RecordedDraw& draw : std::span(draws_).first(draw_count_)) {
     if (!draw.good || draw.changed) continue;
     const TileRect& tiles = draw.tiles;
-    for (int row = tiles.y0; row < tiles.y1 && !draw.processed; ++row) {
-      const auto* first = &dirty_[static_cast<size_t>(row * tiles_across_ + tiles.x0)];
-      draw.processed = std::find(first, first + (tiles.x1 - tiles.x0), uint8_t{1}) != first + (tiles.x1 - tiles.x0);
+    for (int row = tiles.y0; row <= tiles.y1 && !draw.processed; ++row) {
+      const auto across = std::span(dirty_).subspan(static_cast<size_t>(row * tiles_across_ + tiles.x0),
+                                                    static_cast<size_t>(tiles.x1 - tiles.x0 + 1));
+      draw.processed = std::find(across.begin(), across.end(), uint8_t{1}) != across.end();
     }
   }
 }
@@ -299,13 +315,13 @@ void Frame::fill(std::span<uint32_t> pixels) {
   for (size_t tile = 0; tile < dirty_.size(); ++tile) {
     if (dirty_[tile] != 0) work_.push_back(static_cast<uint32_t>(tile));
   }
-  for (size_t worker = 0; worker < bins_.size(); ++worker) {
-    general_[worker] = bins_[worker].general();
-    Buffers& buffers = buffers_[worker];
+  general_.clear();
+  for (const Bins& bins : bins_)
+    general_.push_back(bins.general());
+  for (Buffers& buffers : buffers_) {
     const auto words = static_cast<size_t>(kTileStride) * kTileRows * static_cast<size_t>(samples_);
     grow(buffers.colour, words);
     grow(buffers.depth, words);
-    grow(buffers.cell_depth, size_t{kCells});
   }
   auto work = [this, pixels](uint32_t item, int worker) { fill_tile(work_[item], worker, pixels); };
   workers_->share(static_cast<uint32_t>(work_.size()), work);
@@ -314,10 +330,10 @@ void Frame::fill(std::span<uint32_t> pixels) {
 
 void Frame::fill_tile(uint32_t tile, int worker, std::span<uint32_t> pixels) {
   TileJob job{};
-  job.x = static_cast<int>(tile) % tiles_across_ * kTileSize;
-  job.y = static_cast<int>(tile) / tiles_across_ * kTileSize;
-  job.width = std::min(kTileSize, viewport_.width - job.x);
-  job.height = std::min(kTileSize, viewport_.height - job.y);
+  job.x = static_cast<int>(tile) % tiles_across_ * kTileWidth;
+  job.y = static_cast<int>(tile) / tiles_across_ * kTileHeight;
+  job.width = std::min(kTileWidth, viewport_.width - job.x);
+  job.height = std::min(kTileHeight, viewport_.height - job.y);
   job.background = background_;
   job.pixel_stride = static_cast<size_t>(viewport_.width);
   job.pixels = &pixels[static_cast<size_t>(job.y) * job.pixel_stride + static_cast<size_t>(job.x)];
@@ -332,9 +348,12 @@ void Frame::fill_tile(uint32_t tile, int worker, std::span<uint32_t> pixels) {
   job.lists = &heads_[tile];
   job.list_stride = dirty_.size();
   job.list_count = groups_.size();
-  job.vertices = vertices_.data();
+  job.points = vertices_.points.data();
+  job.values = vertices_.values.data();
   job.general = general_.data();
-  job.buffers = TileBuffers{buffers.colour.data(), buffers.depth.data(), buffers.cell_depth.data(), &buffers.scratch};
+  const size_t margin = static_cast<size_t>(kTileStride) * static_cast<size_t>(samples_) + kTileMargin;
+  job.buffers = TileBuffers{&buffers.colour[margin], &buffers.depth[margin], buffers.cell_least.data(),
+                            buffers.cell_greatest.data(), &buffers.scratch};
   job.pixel_stride = static_cast<size_t>(viewport_.width);
   kernel_->tile[samples_ == 1 ? 0 : samples_ == 2 ? 1 : samples_ == 4 ? 2 : 3](job);
 }
@@ -350,10 +369,10 @@ void Frame::list_damage() {
       while (column < tiles_across_ && is_dirty(column))
         ++column;
       PixelRect rect;
-      rect.x = first * kTileSize;
-      rect.y = row * kTileSize;
-      rect.width = std::min(column * kTileSize, viewport_.width) - rect.x;
-      rect.height = std::min(rect.y + kTileSize, viewport_.height) - rect.y;
+      rect.x = first * kTileWidth;
+      rect.y = row * kTileHeight;
+      rect.width = std::min(column * kTileWidth, viewport_.width) - rect.x;
+      rect.height = std::min(rect.y + kTileHeight, viewport_.height) - rect.y;
       const auto above = std::find_if(damage_.begin(), damage_.end(), [&rect](const PixelRect& other) {
         return other.x == rect.x && other.width == rect.width && other.y + other.height == rect.y;
       });

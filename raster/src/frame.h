@@ -6,6 +6,7 @@
 #include "bins.h"
 #include "workers.h"
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -70,18 +71,19 @@ class Frame {
   };
   Kind last_kind_;  ///< of the frame that the canvas shows; width 0: none
 
-  std::vector<ScreenVertex> vertices_;
+  ScreenVertices vertices_;
   std::vector<Piece> vertex_pieces_, pieces_;
   std::vector<Group> groups_;
   std::vector<uint32_t> work_;              ///< numbers of pieces, groups or tiles that the stage in hand goes through
   std::vector<EntryBlock*> heads_, tails_;  ///< one a tile for each group
-  std::vector<Bins> bins_;                  ///< one a worker
+  std::vector<Bins> bins_;                  ///< one a group
   std::vector<const GeneralTriangle*> general_;
   std::vector<uint8_t> dirty_, shown_;  ///< a tile must be written; a tile showed something in the last frame
 
   struct Buffers {
     std::vector<uint32_t> colour;
-    std::vector<float> depth, cell_depth;
+    std::vector<float> depth;
+    std::array<float, kCells> cell_least{}, cell_greatest{};
     GeneralTriangle scratch{};
   };
   std::vector<Buffers> buffers_;  ///< one a worker

@@ -26,9 +26,15 @@ Plane make_plane(const Slopes& s, float v0, float v1, float v2) {
 
 }  // namespace
 
-void set_up_general(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c, uint32_t colour,
-                    GeneralTriangle& out) noexcept {
-  const ScreenVertex* corners[3] = {&a, &b, &c};
+Corner corner_of(const ScreenPoint& point, const ScreenValues& values) noexcept {
+  Corner corner{point.x, point.y, values.depth, values.inverse_w, {}};
+  for (int channel = 0; channel < 3; ++channel)
+    corner.level[channel] = static_cast<float>(values.level[2 - channel]) / kLevelScale;
+  return corner;
+}
+
+void set_up_general(const Corner& a, const Corner& b, const Corner& c, uint32_t colour, GeneralTriangle& out) noexcept {
+  const Corner* corners[3] = {&a, &b, &c};
   for (int i = 0; i < 3; ++i) {
     out.x[i] = static_cast<int32_t>(corners[i]->x);
     out.y[i] = static_cast<int32_t>(corners[i]->y);
@@ -55,7 +61,7 @@ void set_up_general(const ScreenVertex& a, const ScreenVertex& b, const ScreenVe
   }
   // The bound of the affine short cut is derived in set_up.h.
   const Plane inverse_w = make_plane(slopes, a.inverse_w, b.inverse_w, c.inverse_w);
-  out.perspective = widest * (inverse_w.greatest - inverse_w.least) > 0.5F * inverse_w.least;
+  out.perspective = widest * (inverse_w.greatest - inverse_w.least) > 4.0F * kAffineError * inverse_w.least;
   if (!out.perspective) return;
   // 1/w relative to the nearest corner, so that nothing overflows.
   const float qa = a.inverse_w / inverse_w.greatest;

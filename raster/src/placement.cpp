@@ -136,7 +136,7 @@ glm::vec4 clip_position(const Placement& placement, const glm::vec3& p) noexcept
   return clip;
 }
 
-bool project(const Viewport& viewport, const glm::vec4& clip, ScreenVertex& out) noexcept {
+bool project(const Viewport& viewport, const glm::vec4& clip, Corner& out) noexcept {
   const float inverse_w = 1.0F / clip.w;
   const float from_centre_x = (clip.x * inverse_w) * viewport.half_x;
   const float from_centre_y = (clip.y * inverse_w) * viewport.half_y;

@@ -31,6 +31,6 @@ glm::vec4 clip_position(const Placement& placement, const glm::vec3& position) n
 
 /// Projects a clip-space point that lies inside near, far and guard planes. False where the result is not finite or
 /// would leave the guard band; `out` is then unspecified. Levels are not touched.
-bool project(const Viewport& viewport, const glm::vec4& clip, ScreenVertex& out) noexcept;
+bool project(const Viewport& viewport, const glm::vec4& clip, Corner& out) noexcept;
 
 }  // namespace auslan::raster

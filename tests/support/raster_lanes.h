@@ -14,7 +14,7 @@ struct LaneInput {
   float a[8], b[8], c[8];    ///< any bits
   float whole[8];            ///< of a size that truncate and round take
   int32_t x[8], y[8], z[8];  ///< any bits
-  int16_t p[8], q[8], r[8];
+  int16_t p[32], q[32];
   uint32_t number[8];  ///< below 16
   float table[16 * 9 + 8];
 };
@@ -40,7 +40,7 @@ template <class L>
 struct LaneOperations {
   using F = typename L::F;
   using I = typename L::I;
-  using H = typename L::H;
+  using Q = typename L::Q;
 
   LaneResults& out;
 
@@ -54,11 +54,11 @@ struct LaneOperations {
     L::store(next(operation, kind), L::bits(value));
   }
   void keep(const char* operation, const I& value) { L::store(next(operation, LaneKind::kBits), value); }
-  // Sixteen bits leave H only as two channels of a pixel.
-  void keep(const char* operation, const H& value) {
-    const H zero = L::halves(0);
-    const H low = L::template shift_right<8>(L::template shift_left<8>(value));
-    L::store(next(operation, LaneKind::kBits), L::pixels(zero, L::template shift_right<8>(value), low));
+  // Sixteen bits leave Q byte by byte: the upper one, and the lower one when it has been moved up.
+  void keep(const char* operation, const Q& value) {
+    const int16_t up[4] = {256, 256, 256, 256};
+    L::store(next(operation, LaneKind::kBits), L::template bytes<8>(value));
+    L::store(next(operation, LaneKind::kBits), L::template bytes<8>(value * L::quads(up)));
   }
   // A mask may be looked into by select and signs only.
   void keep_mask(const char* operation, const I& mask, const LaneInput& in) {
@@ -108,6 +108,10 @@ struct LaneOperations {
     keep("round", L::round(L::load(in.whole) * L::set(0.001F)));
     keep("pair", L::pair(x, y));
     keep("dot", L::dot(x, y));
+    keep("min16", L::min16(x, y));
+    keep("max16", L::max16(x, y));
+    keep("subtract16", L::subtract16(x, y));
+    keep("from_bits", L::from_bits(x));
   }
 
   void masks(const LaneInput& in) {
@@ -127,22 +131,18 @@ struct LaneOperations {
     keep_mask("mask and_not mask", L::and_not(L::sign_mask(z), L::greater(a, b)), in);
   }
 
-  void halves(const LaneInput& in) {
-    const H p = L::load_halves(in.p);
-    const H q = L::load_halves(in.q);
-    const H r = L::load_halves(in.r);
-    keep("load_halves", p);
-    const auto half = static_cast<uint32_t>(static_cast<uint16_t>(in.p[0]));
-    keep("halves", L::halves(half << 16U | half));
-    keep("H + H", p + q);
-    keep("H * H", p * q);
-    keep("min H", L::min(p, q));
-    keep("max H", L::max(p, q));
-    keep("shift_left H 3", L::template shift_left<3>(p));
-    keep("shift_right H 3", L::template shift_right<3>(p));
-    keep("shift_right H 15", L::template shift_right<15>(p));
-    keep("pixels",
-         L::pixels(L::template shift_right<8>(p), L::template shift_right<8>(q), L::template shift_right<8>(r)));
+  void quads(const LaneInput& in) {
+    const Q p = L::load_quads(in.p);
+    const Q q = L::load_quads(in.q);
+    keep("load_quads", p);
+    keep("quads", L::quads(in.q));
+    keep("Q + Q", p + q);
+    keep("Q * Q", p * q);
+    keep("min Q", L::min(p, q));
+    keep("max Q", L::max(p, q));
+    keep("bytes 1", L::template bytes<1>(p));
+    keep("bytes 6", L::template bytes<6>(p));
+    keep("bytes 7", L::template bytes<7>(p));
   }
 
   void memory(const LaneInput& in) {
@@ -179,10 +179,24 @@ struct LaneOperations {
     keep("load_triples", f0);
     keep("load_triples", f1);
     keep("load_triples", f2);
-    float octets[64];
-    L::scatter_octets(octets, a, b, L::load(in.c), f0, f1, f2, L::load(in.table + 40), L::load(in.table + 77));
-    for (size_t i = 0; i < 64; i += 8)
-      keep("scatter_octets", L::load(octets + i));
+    I i0, i1, i2;
+    uint32_t numbers[24];
+    for (size_t i = 0; i < 24; ++i)
+      numbers[i] = in.number[i % 8] * 24U + static_cast<uint32_t>(i);
+    L::load_triples(numbers, i0, i1, i2);
+    keep("load_triples I", i0);
+    keep("load_triples I", i1);
+    keep("load_triples I", i2);
+    float scattered[32];
+    L::scatter_pairs(scattered, a, b);
+    for (size_t i = 0; i < 16; i += 8)
+      keep("scatter_pairs", L::load(scattered + i));
+    int16_t halves[32];
+    L::scatter_pairs(halves, L::load(in.x), L::load(in.y));
+    keep("scatter_pairs int16_t", L::load_quads(halves));
+    L::scatter_quads(scattered, a, b, L::load(in.c), f0);
+    for (size_t i = 0; i < 32; i += 8)
+      keep("scatter_quads", L::load(scattered + i));
   }
 
  private:
@@ -198,7 +212,7 @@ void do_lane_operations(const LaneInput& in, LaneResults& out) {
   LaneOperations<L> operations{out};
   operations.arithmetic(in);
   operations.masks(in);
-  operations.halves(in);
+  operations.quads(in);
   operations.memory(in);
 }
 

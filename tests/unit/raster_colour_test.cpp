@@ -234,7 +234,7 @@ TEST_P(Gouraud, IsPerspectiveCorrect) {
   EXPECT_GT(worst_affine, 50.0) << "the scene should tell affine from correct";
 }
 
-// The affine short cut: over random triangles at an arm's length, never more than 1/8 level from the exact colour.
+// The affine short cut: over random triangles at an arm's length, never more than 1/4 level from the exact colour.
 TEST_P(Gouraud, ShortCutStaysWithinItsBound) {
   Random random(81);
   int compared = 0;
@@ -261,8 +261,8 @@ TEST_P(Gouraud, ShortCutStaysWithinItsBound) {
       const double along =
           (t / static_cast<double>(w[1])) / ((1.0 - t) / static_cast<double>(w[0]) + t / static_cast<double>(w[1]));
       const double correct = low + (high - low) * along;
-      // 1/2 for rounding, 1/8 for the short cut, 0.02 for the sRGB table.
-      ASSERT_NEAR(red_of(screen.pixel(column, 32)), correct, 0.65) << "case " << i << ", column " << column;
+      // 1/2 for rounding, 1/4 for the short cut, 1/4 for gradients in fixed point over 64 pixels, 0.02 for the curve.
+      ASSERT_NEAR(red_of(screen.pixel(column, 32)), correct, 1.02) << "case " << i << ", column " << column;
       ++compared;
     }
   }

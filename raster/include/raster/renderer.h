@@ -3,12 +3,14 @@
 //
 // Coverage follows the Direct3D 11 / Vulkan rules exactly: vertices snap to 1/256 pixel (nearest, ties to even), edge
 // functions are integers, pixel centres lie at half-integers, a sample on an edge belongs to the triangle only if the
-// edge is a top or a left one. On the screen x runs right and y runs down. Multisampling: Direct3D's standard sample
+// edge is a top or a left one; what reaches beyond the guard band (2^21 to 2^22 sub-pixels from the middle of the
+// frame) is cut there first. On the screen x runs right and y runs down. Multisampling: Direct3D's standard sample
 // positions; coverage and depth per sample, colour once a pixel (at its centre, held within the range of the triangle's
-// three vertices). A pixel is the root mean square of its samples' sRGB levels, per channel, rounded to nearest: an
-// average of light with a display's gamma taken as 2 (README). Colour: lit per vertex (Gouraud) or per face (flat) in
-// linear light, encoded to sRGB levels, and interpolated in the ENCODED space; in perspective wherever the affine
-// shortcut could be off by more than 1/8 of a level. Depth: reversed (camera.h), nearer wins, at equal depth the
+// three vertices). A pixel is the root mean square of its samples' sRGB levels, per channel, rounded to nearest, a half
+// up: an average of light with a display's gamma taken as 2 (README). Colour: lit per vertex (Gouraud) or per face
+// (flat) in linear light, encoded to sRGB levels, and interpolated in the ENCODED space; in perspective wherever the
+// affine shortcut could be off by more than 1/4 of a level; with triangles below 64 pixels fixed-point gradients (1/128
+// of a level a pixel) can add another 1/4 in x and in y. Depth: reversed (camera.h), nearer wins, at equal depth the
 // triangle drawn first stays.
 //
 // Every kernel (kernel.h) and every number of threads gives the same bytes, under the processor's default
@@ -122,7 +124,8 @@ class Renderer {
 
   /// Adds a mesh, placed by an affine `world_from_mesh` (its bottom row is ignored). A placement that mirrors (negative
   /// determinant) keeps outside outside.
-  /// Any input is safe: the whole draw is rejected when array lengths disagree or a matrix is not finite, a triangle is
+  /// Any input is safe: the whole draw is rejected when array lengths disagree, a matrix is not finite, or the frame
+  /// would come to more than 2^27 triangles or 2^30 vertices; a triangle is
   /// rejected whole when one of its indices is out of range or one of its vertices not finite; one or two indices left
   /// over at the end count as one rejected triangle. Outside a frame it does nothing.
   void draw(const MeshView& mesh, const glm::mat4& world_from_mesh, Shading shading, CullMode cull = CullMode::kBack);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // The long path: a triangle of any size in one tile, over cells of 8 x 8 pixels. Only depth and a promise of the colour
-// are written (kDeferred); what lies behind everything that a cell already shows is left out (hierarchical depth,
-// Greene, Kass and Miller 1993).
+// are written (kGeneralTriangle); what lies behind everything that a cell already shows is left out (hierarchical
+// depth, Greene, Kass and Miller 1993).
 #pragma once
 
-#include "kernel.h"
+#include "resolve.h"
 
 namespace auslan::raster {
 
@@ -32,11 +32,11 @@ struct FillGeneral {
     return L::load(steps);
   }
 
-  static int64_t least_step(int32_t a, int32_t b, int32_t reach) {
-    return (a < 0 ? int64_t{a} * reach : 0) + (b < 0 ? int64_t{b} * reach : 0);
+  static int64_t least_step(int32_t a, int32_t b, int32_t across, int32_t down) {
+    return (a < 0 ? int64_t{a} * across : 0) + (b < 0 ? int64_t{b} * down : 0);
   }
-  static int64_t greatest_step(int32_t a, int32_t b, int32_t reach) {
-    return (a > 0 ? int64_t{a} * reach : 0) + (b > 0 ? int64_t{b} * reach : 0);
+  static int64_t greatest_step(int32_t a, int32_t b, int32_t across, int32_t down) {
+    return (a > 0 ? int64_t{a} * across : 0) + (b > 0 ? int64_t{b} * down : 0);
   }
 
   // False when nothing of the tile is inside. Edge values are below 2^49: |a|, |b| < 2^24, positions too.
@@ -57,8 +57,8 @@ struct FillGeneral {
       if (s == 0 || start[s] < lowest) lowest = start[s];
       if (s == 0 || start[s] > highest) highest = start[s];
     }
-    if (highest + greatest_step(out.a, out.b, kTileSize - 1) < 0) return false;
-    if (lowest + least_step(out.a, out.b, kTileSize - 1) >= 0) {
+    if (highest + greatest_step(out.a, out.b, kTileWidth - 1, kTileHeight - 1) < 0) return false;
+    if (lowest + least_step(out.a, out.b, kTileWidth - 1, kTileHeight - 1) >= 0) {
       out = Edge{};
       return true;
     }
@@ -100,8 +100,9 @@ struct FillGeneral {
     constexpr float kReach = static_cast<float>(Pattern::kReach);
     const float x0 = centre_from(job.x, t.x[0]);
     const float y0 = centre_from(job.y, t.y[0]);
-    constexpr float kWide = static_cast<float>((kTileSize - 1) * kSubPixels);
-    if (!(nearest(plane, x0 - kReach, x0 + kWide + kReach, y0 - kReach, y0 + kWide + kReach) > tile_depth)) return;
+    constexpr float kWide = static_cast<float>((kTileWidth - 1) * kSubPixels);
+    constexpr float kTall = static_cast<float>((kTileHeight - 1) * kSubPixels);
+    if (!(nearest(plane, x0 - kReach, x0 + kWide + kReach, y0 - kReach, y0 + kTall + kReach) > tile_depth)) return;
     Edge edges[3];
     for (size_t e = 0; e < 3; ++e) {
       if (!set_edge(job, t, e, e == 2 ? 0 : e + 1, edges[e])) return;
@@ -111,44 +112,81 @@ struct FillGeneral {
     const int32_t first_cell_row = t.first_row > job.y ? (t.first_row - job.y) / kCellSize : 0;
     const int32_t bottom = t.last_row - job.y < job.height - 1 ? t.last_row - job.y : job.height - 1;
     const int32_t last_cell_row = bottom / kCellSize;
+    I any_steps[3], all_steps[3], down_steps[3];
+    for (size_t e = 0; e < 3; ++e) {
+      const Edge& edge = edges[e];
+      const I steps = multiples(edge.a * kCellSize);
+      const int32_t down = edge.b * kCellSize * first_cell_row;
+      any_steps[e] = steps + L::set(edge.highest + down +
+                                    static_cast<int32_t>(greatest_step(edge.a, edge.b, kCellSize - 1, kCellSize - 1)));
+      all_steps[e] = steps + L::set(edge.lowest + down +
+                                    static_cast<int32_t>(least_step(edge.a, edge.b, kCellSize - 1, kCellSize - 1)));
+      down_steps[e] = L::set(edge.b * kCellSize);
+    }
     bool wrote = false;
     for (int32_t cell_row = first_cell_row; cell_row <= last_cell_row; ++cell_row) {
       // Eight cells side by side.
-      I any = L::set(0);
-      I all = L::set(0);
-      for (const Edge& edge : edges) {
-        const I steps = multiples(edge.a * kCellSize);
-        const int32_t down = edge.b * kCellSize * cell_row;
-        any = any | (L::set(edge.highest + down + static_cast<int32_t>(greatest_step(edge.a, edge.b, kCellSize - 1))) +
-                     steps);
-        all = all |
-              (L::set(edge.lowest + down + static_cast<int32_t>(least_step(edge.a, edge.b, kCellSize - 1))) + steps);
+      const I any = any_steps[0] | any_steps[1] | any_steps[2];
+      const I all = all_steps[0] | all_steps[1] | all_steps[2];
+      for (size_t e = 0; e < 3; ++e) {
+        any_steps[e] = any_steps[e] + down_steps[e];
+        all_steps[e] = all_steps[e] + down_steps[e];
       }
       const float cell_y = y0 + static_cast<float>(cell_row * kCellSize * kSubPixels);
       constexpr float kCellWide = static_cast<float>((kCellSize - 1) * kSubPixels);
-      const float corner_y = plane.per_y > 0.0F ? cell_y + kCellWide + kReach : cell_y - kReach;
-      const float corner_x = plane.per_x > 0.0F ? x0 + kCellWide + kReach : x0 - kReach;
-      const F corner_depth =
-          L::set(plane.origin + corner_y * plane.per_y) +
-          (L::set(corner_x) + lane_steps(static_cast<float>(kCellSize * kSubPixels))) * L::set(plane.per_x);
-      const F bound = L::min(L::max(corner_depth, L::set(plane.least)), L::set(plane.greatest));
-      float* cells = job.buffers.cell_depth + cell_row * kCellsAcross;
-      const I near_enough = L::greater(bound, L::load(cells));
+      const F cell_x = L::set(x0) + lane_steps(static_cast<float>(kCellSize * kSubPixels));
+      const auto corner_depth = [&](bool nearest_corner) {
+        const float corner_y = (plane.per_y > 0.0F) == nearest_corner ? cell_y + kCellWide + kReach : cell_y - kReach;
+        const float corner_x = (plane.per_x > 0.0F) == nearest_corner ? kCellWide + kReach : -kReach;
+        return L::set(plane.origin + corner_y * plane.per_y) + (cell_x + L::set(corner_x)) * L::set(plane.per_x);
+      };
+      const F nearest_depth = corner_depth(true);
+      const F farthest_depth = corner_depth(false);
+      const F bound = L::min(L::max(nearest_depth, L::set(plane.least)), L::set(plane.greatest));
+      const uint32_t in_range = L::signs(L::at_least(L::set(plane.greatest), nearest_depth) &
+                                         L::at_least(farthest_depth, L::set(plane.least)));
+      float* least = job.buffers.cell_least + cell_row * kCellsAcross;
+      float* greatest = job.buffers.cell_greatest + cell_row * kCellsAcross;
+      const I near_enough = L::greater(bound, L::load(least));
       uint32_t touched = ~L::signs(any) & L::signs(near_enough) & 0xFFU;
       const uint32_t whole = ~L::signs(all);
+      if (touched == 0U) continue;
+      wrote = true;
+      // Cells that this triangle fills altogether, in front of all that they show.
+      const uint32_t covered = touched & whole & in_range & L::signs(L::greater(farthest_depth, L::load(greatest)));
+      if (covered != 0U) {
+        fill_covered_cells(job, t, covered, cell_row, promise);
+        const I mask = lanes_of(covered);
+        L::store(least, L::select(mask, farthest_depth, L::load(least)));
+        L::store(greatest, L::select(mask, bound, L::load(greatest)));
+        touched &= ~covered;
+        if (touched == 0U) continue;
+      }
+      L::store(greatest, L::select(lanes_of(touched), L::max(bound, L::load(greatest)), L::load(greatest)));
       for (; touched != 0U; touched &= touched - 1U) {
         const int32_t cell = __builtin_ctz(touched);
-        const bool full = (whole >> static_cast<uint32_t>(cell) & 1U) != 0U;
-        cells[cell] = full ? fill_cell<true>(job, t, edges, cell, cell_row, promise)
-                           : fill_cell<false>(job, t, edges, cell, cell_row, promise);
-        wrote = true;
+        const uint32_t bit = 1U << static_cast<uint32_t>(cell);
+        if ((whole & in_range & bit) != 0U) {
+          least[cell] = fill_whole_cell<false>(job, t, cell, cell_row, promise);
+        } else if ((whole & bit) != 0U) {
+          least[cell] = fill_whole_cell<true>(job, t, cell, cell_row, promise);
+        } else {
+          least[cell] = fill_crossed_cell(job, t, edges, cell, cell_row);
+        }
       }
     }
     if (!wrote) return;
-    F least = L::load(job.buffers.cell_depth);
-    for (size_t i = 1; i < kCellsAcross; ++i)
-      least = L::min(least, L::load(job.buffers.cell_depth + i * kCellsAcross));
+    F least = L::load(job.buffers.cell_least);
+    for (size_t i = 1; i < kCellsDown; ++i)
+      least = L::min(least, L::load(job.buffers.cell_least + i * kCellsAcross));
     tile_depth = least_of(least);
+  }
+
+  // A mask of the lanes whose bits are set.
+  static I lanes_of(uint32_t bits) {
+    static constexpr uint32_t kBits[8] = {1, 2, 4, 8, 16, 32, 64, 128};
+    const I bit = L::load(kBits);
+    return L::equal(L::set(static_cast<int32_t>(bits)) & bit, bit);
   }
 
   static I multiples(int32_t step) {
@@ -165,48 +203,167 @@ struct FillGeneral {
   }
 
   // Fills one cell; returns the least depth in it.
-  template <bool kWhole>
-  static float fill_cell(const TileJob& job, const GeneralTriangle& t, const Edge (&edges)[3], int32_t cell,
-                         int32_t cell_row, uint32_t promise) {
-    const Plane& plane = t.depth;
+  // The triangle's colours along the rows of one cell.
+  struct CellColours {
+    using Shader = typename Resolve<L, kSamples>::Shader;
+    const GeneralTriangle& t;
+    const I flat;
+    const bool gouraud;
+    const int32_t column, first_row;
+    const F dx;
+    F across[3];
+    alignas(32) float rows[3][kCellSize];
+
+    CellColours(const GeneralTriangle& triangle, int32_t cell_column, int32_t cell_first_row, F from_corner, F dy)
+        : t(triangle),
+          flat(L::set(static_cast<int32_t>(triangle.colour))),
+          gouraud(triangle.colour == kGouraudColour),
+          column(cell_column),
+          first_row(cell_first_row),
+          dx(from_corner) {
+      if (!gouraud || t.perspective) return;
+      for (size_t c = 0; c < 3; ++c) {
+        across[c] = dx * L::set(t.level[c].per_x);
+        L::store(rows[c], L::set(t.level[c].origin) + dy * L::set(t.level[c].per_y));
+      }
+    }
+    I at(size_t j) const {
+      if (!gouraud) return flat;
+      if (t.perspective) return Shader(t, first_row + static_cast<int32_t>(j)).at(column);
+      I channel[3];
+      for (size_t c = 0; c < 3; ++c) {
+        const F value =
+            L::min(L::max(L::spread(&rows[c][j]) + across[c], L::set(t.level[c].least)), L::set(t.level[c].greatest));
+        channel[c] = L::truncate(value + L::set(0.5F));
+      }
+      return L::template shift_left<16>(channel[0]) | L::template shift_left<8>(channel[1]) | channel[2];
+    }
+  };
+
+  // A cell that an edge crosses; colours are computed at once, for promises of several triangles in one pixel or in
+  // eight would be kept one by one. Returns a lower bound of the depth in it.
+  static float fill_crossed_cell(const TileJob& job, const GeneralTriangle& t, const Edge (&edges)[3], int32_t cell,
+                                 int32_t cell_row) {
+    const Plane plane = t.depth;
+    const int32_t column = cell * kCellSize;
+    const int32_t first_row = cell_row * kCellSize;
+    const F steps = lane_steps(static_cast<float>(kSubPixels));
+    const F dx = L::set(centre_from(job.x + column, t.x[0])) + steps;
+    const F dy = L::set(centre_from(job.y + first_row, t.y[0])) + steps;
+    F across[kSamples];
+    alignas(32) float row_depths[kSamples][kCellSize];
+    for (size_t s = 0; s < kSamples; ++s) {
+      across[s] = (dx + L::set(static_cast<float>(Pattern::kX[s]))) * L::set(plane.per_x);
+      L::store(row_depths[s],
+               L::set(plane.origin) + (dy + L::set(static_cast<float>(Pattern::kY[s]))) * L::set(plane.per_y));
+    }
+    const F least_before = L::spread(job.buffers.cell_least + cell_row * kCellsAcross + cell);
+    const CellColours colours(t, job.x + column, job.y + first_row, dx, dy);
+    I edge_row[3], edge_step[3];
+    for (size_t e = 0; e < 3; ++e) {
+      edge_row[e] = multiples(edges[e].a) + L::set(edges[e].a * column + edges[e].b * first_row);
+      edge_step[e] = L::set(edges[e].b);
+    }
+    const F least = L::set(plane.least);
+    const F greatest = L::set(plane.greatest);
+    const size_t corner = static_cast<size_t>(first_row) * kRowWords + static_cast<size_t>(column);
+    float* depth = job.buffers.depth + corner;
+    uint32_t* colour = job.buffers.colour + corner;
+    F lowest = L::set(2.0F);
+    for (size_t j = 0; j < kCellSize; ++j, depth += kRowWords, colour += kRowWords) {
+      I shade{};
+      bool shaded = false;
+      for (size_t s = 0; s < kSamples; ++s) {
+        const I outside = (edge_row[0] + L::set(edges[0].start[s])) | (edge_row[1] + L::set(edges[1].start[s])) |
+                          (edge_row[2] + L::set(edges[2].start[s]));
+        if (L::signs(outside) == 0xFFU) {
+          lowest = L::min(lowest, least_before);
+          continue;
+        }
+        const F z = L::min(L::max(L::spread(&row_depths[s][j]) + across[s], least), greatest);
+        const F stored = L::load(depth + s * kTileStride);
+        const I visible = L::and_not(L::sign_mask(outside), L::greater(z, stored));
+        const F kept = L::select(visible, z, stored);
+        lowest = L::min(lowest, kept);
+        if (L::signs(visible) == 0U) continue;
+        if (!shaded) shade = colours.at(j);
+        shaded = true;
+        L::store(depth + s * kTileStride, kept);
+        uint32_t* words = colour + s * kTileStride;
+        L::store(words, L::select(visible, shade, L::load(words)));
+      }
+      for (size_t e = 0; e < 3; ++e)
+        edge_row[e] = edge_row[e] + edge_step[e];
+    }
+    return least_of(lowest);
+  }
+
+  // Cells of one row of which nothing stays: neither what they hold nor the plane's range needs a look.
+  static void fill_covered_cells(const TileJob& job, const GeneralTriangle& t, uint32_t cells, int32_t cell_row,
+                                 uint32_t promise) {
+    const Plane plane = t.depth;
+    const int32_t first_row = cell_row * kCellSize;
+    const F steps = lane_steps(static_cast<float>(kSubPixels));
+    const F dy = L::set(centre_from(job.y + first_row, t.y[0])) + steps;
+    alignas(32) float row_depths[kSamples][kCellSize];
+    for (size_t s = 0; s < kSamples; ++s) {
+      L::store(row_depths[s],
+               L::set(plane.origin) + (dy + L::set(static_cast<float>(Pattern::kY[s]))) * L::set(plane.per_y));
+    }
+    const I word = L::set(static_cast<int32_t>(promise));
+    for (; cells != 0U; cells &= cells - 1U) {
+      const int32_t column = __builtin_ctz(cells) * kCellSize;
+      const F dx = L::set(centre_from(job.x + column, t.x[0])) + steps;
+      const size_t corner = static_cast<size_t>(first_row) * kRowWords + static_cast<size_t>(column);
+      for (size_t s = 0; s < kSamples; ++s) {
+        const F across = (dx + L::set(static_cast<float>(Pattern::kX[s]))) * L::set(plane.per_x);
+        float* depth = job.buffers.depth + corner + s * kTileStride;
+        uint32_t* colour = job.buffers.colour + corner + s * kTileStride;
+        for (size_t j = 0; j < kCellSize; ++j) {
+          L::store(depth + j * kRowWords, L::spread(&row_depths[s][j]) + across);
+          L::store(colour + j * kRowWords, word);
+        }
+      }
+    }
+  }
+
+  // A cell that is all inside. kHeld: the plane may leave the range of its corners here, if only by rounding. Returns
+  // the least depth in it.
+  template <bool kHeld>
+  static float fill_whole_cell(const TileJob& job, const GeneralTriangle& t, int32_t cell, int32_t cell_row,
+                               uint32_t promise) {
+    const Plane plane = t.depth;
+    const int32_t column = cell * kCellSize;
+    const int32_t first_row = cell_row * kCellSize;
+    const F steps = lane_steps(static_cast<float>(kSubPixels));
+    const F dx = L::set(centre_from(job.x + column, t.x[0])) + steps;
+    const F dy = L::set(centre_from(job.y + first_row, t.y[0])) + steps;
+    F across[kSamples];
+    alignas(32) float row_depths[kSamples][kCellSize];
+    for (size_t s = 0; s < kSamples; ++s) {
+      across[s] = (dx + L::set(static_cast<float>(Pattern::kX[s]))) * L::set(plane.per_x);
+      L::store(row_depths[s],
+               L::set(plane.origin) + (dy + L::set(static_cast<float>(Pattern::kY[s]))) * L::set(plane.per_y));
+    }
     const F least = L::set(plane.least);
     const F greatest = L::set(plane.greatest);
     const I word = L::set(static_cast<int32_t>(promise));
-    const int32_t column = cell * kCellSize;
-    const int32_t first_row = cell_row * kCellSize;
     const size_t corner = static_cast<size_t>(first_row) * kRowWords + static_cast<size_t>(column);
-    const F dx = L::set(centre_from(job.x + column, t.x[0])) + lane_steps(static_cast<float>(kSubPixels));
-    F across[kSamples];
-    for (size_t s = 0; s < kSamples; ++s)
-      across[s] = (dx + L::set(static_cast<float>(Pattern::kX[s]))) * L::set(plane.per_x);
-    I edge_row[3];
-    if constexpr (!kWhole) {
-      for (size_t e = 0; e < 3; ++e)
-        edge_row[e] = multiples(edges[e].a) + L::set(edges[e].a * column + edges[e].b * first_row);
-    }
+    float* depth = job.buffers.depth + corner;
+    uint32_t* colour = job.buffers.colour + corner;
     F lowest = L::set(2.0F);
-    for (int32_t j = 0; j < kCellSize; ++j) {
-      const float dy = centre_from(job.y + first_row + j, t.y[0]);
+    for (size_t j = 0; j < kCellSize; ++j) {
       for (size_t s = 0; s < kSamples; ++s) {
-        const size_t at = corner + static_cast<size_t>(j) * kRowWords + s * kTileStride;
-        const float row_depth = plane.origin + (dy + static_cast<float>(Pattern::kY[s])) * plane.per_y;
-        const F z = L::min(L::max(L::set(row_depth) + across[s], least), greatest);
-        const F stored = L::load(job.buffers.depth + at);
-        I visible = L::greater(z, stored);
-        if constexpr (!kWhole) {
-          I outside = edge_row[0] + L::set(edges[0].start[s]);
-          outside = outside | (edge_row[1] + L::set(edges[1].start[s]));
-          outside = outside | (edge_row[2] + L::set(edges[2].start[s]));
-          visible = L::and_not(L::sign_mask(outside), visible);
-        }
-        const F kept = L::select(visible, z, stored);
-        L::store(job.buffers.depth + at, kept);
-        L::store(job.buffers.colour + at, L::select(visible, word, L::load(job.buffers.colour + at)));
+        F z = L::spread(&row_depths[s][j]) + across[s];
+        if constexpr (kHeld) z = L::min(L::max(z, least), greatest);
+        const F stored = L::load(depth);
+        const I visible = L::greater(z, stored);
+        const F kept = L::max(z, stored);
+        L::store(depth, kept);
+        L::store(colour, L::select(visible, word, L::load(colour)));
         lowest = L::min(lowest, kept);
-      }
-      if constexpr (!kWhole) {
-        for (size_t e = 0; e < 3; ++e)
-          edge_row[e] = edge_row[e] + L::set(edges[e].b);
+        depth += kTileStride;
+        colour += kTileStride;
       }
     }
     return least_of(lowest);

@@ -14,29 +14,40 @@ inline constexpr int kSubPixelBits = 8;
 inline constexpr int kSubPixels = 1 << kSubPixelBits;
 
 /// Tiles of the frame: filled one after the other, each by one thread.
-inline constexpr int kTileSize = 64;
-/// Room in a tile's buffers for blocks that stick out on the right and at the bottom, where nothing is read.
-inline constexpr int kTileStride = kTileSize + 8;
-inline constexpr int kTileRows = kTileSize + 1;
-/// Depth is bounded below over squares of this many pixels (hierarchical depth).
+inline constexpr int kTileWidthBits = 6, kTileHeightBits = 5;
+inline constexpr int kTileWidth = 1 << kTileWidthBits, kTileHeight = 1 << kTileHeightBits;
+/// Room round a tile in its buffers, where blocks that stick out write what nobody reads; in floats, on the left so
+/// many that rows stay aligned.
+inline constexpr int kTileMargin = 8;
+inline constexpr int kTileStride = kTileWidth + 2 * kTileMargin;
+inline constexpr int kTileRows = kTileHeight + 2;
+/// Depth is bounded over squares of this many pixels (hierarchical depth).
 inline constexpr int kCellSize = 8;
-inline constexpr int kCellsAcross = kTileSize / kCellSize;
-inline constexpr int kCells = kCellsAcross * kCellsAcross;
+inline constexpr int kCellsAcross = kTileWidth / kCellSize;
+inline constexpr int kCellsDown = kTileHeight / kCellSize;
+inline constexpr int kCells = kCellsAcross * kCellsDown;
 
 /// A triangle that spans less than this in x and in y takes the short path: its edge functions fit 32 bits wherever
 /// they are asked for, differences of its coordinates 16.
-inline constexpr int kSmallExtent = 32 * kSubPixels;
+inline constexpr int kSmallExtent = 64 * kSubPixels;
 
-/// A projected vertex. x and y: whole sub-pixels from the top-left corner of the frame, y down; kOutside marks a vertex
-/// that has no place on the screen (behind the near plane, beyond the guard band, not finite).
-struct ScreenVertex {
+/// Where a vertex lies on the screen: whole sub-pixels from the top-left corner of the frame, y down. x is kOutside for
+/// a vertex that has no place there (behind the near plane, beyond the guard band, not finite).
+struct ScreenPoint {
   float x, y;
-  float depth;      ///< z / w, 0 (far) to 1 (near)
-  float inverse_w;  ///< 1 / w
-  float level[3];   ///< lit red, green, blue: sRGB levels 0 to 255, not rounded
-  float unused;
 };
 inline constexpr float kOutside = 1e30F;
+
+/// What else the triangles of a vertex need.
+struct ScreenValues {
+  float depth;       ///< z / w, 0 (far) to 1 (near)
+  float inverse_w;   ///< 1 / w
+  int16_t level[4];  ///< lit blue, green, red: sRGB levels 0 to 255 in 1 / kLevelScale; the fourth is 0
+};
+inline constexpr int kLevelBits = 7;
+/// Colours are interpolated in perspective where the affine short cut could be off by more levels than this.
+inline constexpr float kAffineError = 0.25F;
+inline constexpr float kLevelScale = 128.0F;
 
 /// The mapping from clip space to sub-pixels.
 struct Viewport {
@@ -71,7 +82,8 @@ struct VertexJob {
   const Placement* placement;
   const PreparedLights* lights;
   const Viewport* viewport;
-  ScreenVertex* out;  ///< of vertex 0
+  ScreenPoint* points;  ///< of vertex 0
+  ScreenValues* values;
 };
 
 /// What the triangle stage hands on.
@@ -82,24 +94,56 @@ enum class Route : uint32_t {
 };
 struct Survivor {
   uint32_t corner[3];  ///< numbers of screen vertices in the frame
+  uint32_t triangle;   ///< its number in the mesh
   Route route;
-  uint32_t triangle;  ///< its number in the mesh
-  /// kSmall and kLarge: the pixels that can have a sample inside, not clipped to the frame; inclusive.
-  int32_t first_column, last_column, first_row, last_row;
+  /// kSmall: the tiles that its box touches; first in the low half, last in the high half.
+  uint32_t tile_columns, tile_rows;
+};
+
+inline constexpr uint32_t kGouraudColour = 0x40000000U;
+/// In a tile's list and in its colour buffer a word with the top bit set stands for a general triangle. In the buffer
+/// it is a promise: the colour of that triangle at this pixel's centre, computed when the tile is finished, so that
+/// what is painted over is never shaded.
+inline constexpr uint32_t kGeneralTriangle = 0x80000000U;
+inline constexpr uint32_t kBinShift = 22;                  ///< below it the place in the bin's list
+inline constexpr uint32_t kScratchTriangle = 0xFFFFFFFFU;  ///< the tile's own
+
+/// A tile's triangles, in drawing order.
+struct EntryBlock {
+  static constexpr uint32_t kCapacity = 16;
+  uint32_t corner[3][kCapacity];  ///< of small triangles; of others any vertex
+  uint32_t colour[kCapacity];     ///< 0x00RRGGBB, or kGouraudColour, or kGeneralTriangle with bin and place
+  EntryBlock* next;
+  uint32_t count;
+};
+
+/// Takes a triangle that the stage does not append to a tile's list by itself.
+struct HandOver {
+  void (*take)(void* context, const Survivor& survivor);
+  void* context;
 };
 
 struct TriangleJob {
   const uint32_t* indices;
   size_t begin, end;  ///< triangles to do
   uint32_t first_vertex, vertex_count;
-  const ScreenVertex* vertices;  ///< of the frame
+  const ScreenPoint* points;  ///< of the frame
   bool mirrored, two_sided;
   int width, height;
   int32_t reach;  ///< how far the farthest sample lies from its pixel's centre in x or y, sub-pixels
-  Survivor* out;  ///< room for end - begin
+  /// Small triangles of one tile go straight to its last block, with kGouraudColour, where that has room; all others
+  /// are handed over, in between and in order. Null: all are handed over.
+  EntryBlock** tails;
+  int tiles_across;
+  HandOver hand_over;
 };
+/// Of a run of the stage.
 struct TriangleCounts {
-  size_t survivors, rejected;
+  size_t rejected = 0;
+  size_t appended = 0;  ///< by the stage itself
+  /// Bounds of the tiles of all small triangles that were not culled, and perhaps of some that were; none if first >
+  /// last.
+  uint32_t first_tile_column = 0xFFFF, last_tile_column = 0, first_tile_row = 0xFFFF, last_tile_row = 0;
 };
 
 /// A quantity that is linear over the screen: at a point (dx, dy) sub-pixels from the triangle's first corner it is
@@ -121,31 +165,13 @@ struct GeneralTriangle {
   int32_t first_column, last_column, first_row, last_row;  ///< clipped to the frame, inclusive
 };
 
-inline constexpr uint32_t kGouraudColour = 0x80000000U;
-inline constexpr uint32_t kGeneralEntry = 0x80000001U;
-/// One triangle in one tile's list.
-struct Entry {
-  uint32_t corner[3];  ///< kGeneralEntry: corner[0] is the worker and corner[1] the place in that worker's list
-  uint32_t colour;     ///< 0x00RRGGBB, or kGouraudColour, or kGeneralEntry
-};
-struct EntryBlock {
-  static constexpr uint32_t kCapacity = 15;
-  EntryBlock* next;
-  uint32_t count;
-  Entry entry[kCapacity];
-};
-
-/// In a tile's colour buffer a word with the top bit set is a promise: the colour of that general triangle at this
-/// pixel's centre, computed when the tile is finished, so that what is painted over is never shaded.
-inline constexpr uint32_t kDeferred = 0x80000000U;
-inline constexpr uint32_t kDeferredWorkerShift = 26;
-inline constexpr uint32_t kDeferredHere = 0xFFFFFFFFU;  ///< the tile's own scratch triangle
-
-/// Buffers of one worker for the tile in hand: [row][sample][column], kTileStride columns.
+/// Buffers of one worker for the tile in hand: [row][sample][column], kTileStride columns, the pointers at the first
+/// pixel within the margin.
 struct TileBuffers {
   uint32_t* colour;
   float* depth;
-  float* cell_depth;         ///< kCells lower bounds of depth
+  float* cell_least;         ///< kCells lower bounds of depth
+  float* cell_greatest;      ///< and upper bounds
   GeneralTriangle* scratch;  ///< one
 };
 
@@ -153,10 +179,11 @@ struct TileJob {
   int x, y;           ///< top-left pixel
   int width, height;  ///< of the part that lies in the frame
   uint32_t background;
-  EntryBlock* const* lists;  ///< one list a chunk, in drawing order; stride in pointers
+  EntryBlock* const* lists;  ///< in drawing order; list_stride pointers from one to the next
   size_t list_stride, list_count;
-  const ScreenVertex* vertices;
-  const GeneralTriangle* const* general;  ///< one array a worker
+  const ScreenPoint* points;
+  const ScreenValues* values;
+  const GeneralTriangle* const* general;  ///< one array a bin
   TileBuffers buffers;
   uint32_t* pixels;  ///< of the tile's top-left pixel
   size_t pixel_stride;
@@ -181,9 +208,14 @@ extern const KernelTable kNeonKernel;
 /// Unit world normal of a mesh normal that is too short or too long to be squared in a float. False if it is not
 /// finite.
 bool odd_world_normal(const Placement& placement, const float normal[3], float out[3]) noexcept;
+/// A corner of a triangle that takes the long path.
+struct Corner {
+  float x, y, depth, inverse_w;
+  float level[3];
+};
+Corner corner_of(const ScreenPoint& point, const ScreenValues& values) noexcept;
 /// Set-up of the long path in double precision; corners in the order of positive area.
-void set_up_general(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c, uint32_t colour,
-                    GeneralTriangle& out) noexcept;
+void set_up_general(const Corner& a, const Corner& b, const Corner& c, uint32_t colour, GeneralTriangle& out) noexcept;
 
 /// Direct3D 11's standard sample patterns, sub-pixels from the pixel's centre, y down.
 template <size_t kSamples>

@@ -24,14 +24,19 @@ struct Avx2 {
     friend I operator|(I a, I b) { return {_mm256_or_si256(a.v, b.v)}; }
     friend I operator^(I a, I b) { return {_mm256_xor_si256(a.v, b.v)}; }
   };
-  struct H {
-    __m128i v;
-    friend H operator+(H a, H b) { return {_mm_add_epi16(a.v, b.v)}; }
-    friend H operator*(H a, H b) { return {_mm_mullo_epi16(a.v, b.v)}; }
+  struct Q {
+    __m256i l, h;
+    friend Q operator+(Q a, Q b) { return {_mm256_add_epi16(a.l, b.l), _mm256_add_epi16(a.h, b.h)}; }
+    friend Q operator*(Q a, Q b) { return {_mm256_mullo_epi16(a.l, b.l), _mm256_mullo_epi16(a.h, b.h)}; }
   };
 
   static F set(float x) { return {_mm256_set1_ps(x)}; }
   static I set(int32_t x) { return {_mm256_set1_epi32(x)}; }
+  // As floats: a load that broadcasts, where an integer would go through a general register.
+  static F spread(const float* p) { return {_mm256_broadcast_ss(p)}; }
+  static I spread(const int32_t* p) {
+    return {_mm256_castps_si256(_mm256_broadcast_ss(reinterpret_cast<const float*>(p)))};
+  }
   static F load(const float* p) { return {_mm256_loadu_ps(p)}; }
   static I load(const int32_t* p) { return {_mm256_loadu_si256(reinterpret_cast<const __m256i*>(p))}; }
   static I load(const uint32_t* p) { return {_mm256_loadu_si256(reinterpret_cast<const __m256i*>(p))}; }
@@ -62,17 +67,27 @@ struct Avx2 {
   static I truncate(F a) { return {_mm256_cvttps_epi32(a.v)}; }
   static I round(F a) { return {_mm256_cvtps_epi32(a.v)}; }
   static I bits(F a) { return {_mm256_castps_si256(a.v)}; }
+  static F from_bits(I a) { return {_mm256_castsi256_ps(a.v)}; }
 
   static I sign_mask(I a) { return a; }
-  static F select(I mask, F yes, F no) { return {_mm256_blendv_ps(no.v, yes.v, _mm256_castsi256_ps(mask.v))}; }
+  // In assembler because g++ 12 computes the sign mask anew before each _mm256_blendv_ps.
+  static F select(I mask, F yes, F no) {
+    __m256 r;
+    asm("vblendvps %3, %2, %1, %0" : "=x"(r) : "x"(no.v), "xm"(yes.v), "x"(mask.v));
+    return {r};
+  }
   static I select(I mask, I yes, I no) {
-    return {_mm256_castps_si256(
-        _mm256_blendv_ps(_mm256_castsi256_ps(no.v), _mm256_castsi256_ps(yes.v), _mm256_castsi256_ps(mask.v)))};
+    __m256i r;
+    asm("vblendvps %3, %2, %1, %0" : "=x"(r) : "x"(no.v), "xm"(yes.v), "x"(mask.v));
+    return {r};
   }
   static uint32_t signs(I a) { return static_cast<uint32_t>(_mm256_movemask_ps(_mm256_castsi256_ps(a.v))); }
 
   static I pair(I low, I high) { return {_mm256_blend_epi16(low.v, _mm256_slli_epi32(high.v, 16), 0xAA)}; }
   static I dot(I a, I b) { return {_mm256_madd_epi16(a.v, b.v)}; }
+  static I min16(I a, I b) { return {_mm256_min_epi16(a.v, b.v)}; }
+  static I max16(I a, I b) { return {_mm256_max_epi16(a.v, b.v)}; }
+  static I subtract16(I a, I b) { return {_mm256_sub_epi16(a.v, b.v)}; }
 
   static F load_2x4(const float* p, size_t stride) {
     return {_mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(p)), _mm_loadu_ps(p + stride), 1)};
@@ -91,22 +106,21 @@ struct Avx2 {
     _mm_storeu_si128(reinterpret_cast<__m128i*>(p + stride), _mm256_extracti128_si256(a.v, 1));
   }
 
-  static H halves(uint32_t pair_of_equals) { return {_mm_set1_epi32(static_cast<int>(pair_of_equals))}; }
-  static H load_halves(const int16_t* p) { return {_mm_loadu_si128(reinterpret_cast<const __m128i*>(p))}; }
-  static H min(H a, H b) { return {_mm_min_epi16(a.v, b.v)}; }
-  static H max(H a, H b) { return {_mm_max_epi16(a.v, b.v)}; }
-  template <int kBits>
-  static H shift_left(H a) {
-    return {_mm_slli_epi16(a.v, kBits)};
+  static Q quads(const int16_t* p) {
+    const __m256i four = _mm256_broadcastq_epi64(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(p)));
+    return {four, four};
   }
-  template <int kBits>
-  static H shift_right(H a) {
-    return {_mm_srli_epi16(a.v, kBits)};
+  static Q load_quads(const int16_t* p) {
+    return {_mm256_loadu_si256(reinterpret_cast<const __m256i*>(p)),
+            _mm256_loadu_si256(reinterpret_cast<const __m256i*>(p + 16))};
   }
-  static I pixels(H red, H green, H blue) {
-    const __m128i low = _mm_or_si128(blue.v, _mm_slli_epi16(green.v, 8));
-    return {_mm256_inserti128_si256(_mm256_castsi128_si256(_mm_unpacklo_epi16(low, red.v)),
-                                    _mm_unpackhi_epi16(low, red.v), 1)};
+  static Q min(Q a, Q b) { return {_mm256_min_epi16(a.l, b.l), _mm256_min_epi16(a.h, b.h)}; }
+  static Q max(Q a, Q b) { return {_mm256_max_epi16(a.l, b.l), _mm256_max_epi16(a.h, b.h)}; }
+  template <int kBits>
+  static I bytes(Q a) {
+    // Packing works within halves: lanes 0 1 4 5 | 2 3 6 7.
+    const __m256i packed = _mm256_packs_epi16(_mm256_srai_epi16(a.l, kBits), _mm256_srai_epi16(a.h, kBits));
+    return {_mm256_xor_si256(_mm256_permute4x64_epi64(packed, 0xD8), _mm256_set1_epi8(-128))};
   }
 
   // In each half: the 4x4 transpose of four rows.
@@ -139,22 +153,44 @@ struct Avx2 {
     a = {_mm256_shuffle_ps(r0, r1, 0x88)};
     b = {_mm256_shuffle_ps(r0, r1, 0xDD)};
   }
-  static void scatter_octets(float* out, F a, F b, F c, F d, F e, F f, F g, F h) {
-    F r0, r1, r2, r3, s0, s1, s2, s3;
+  static void scatter_pairs(float* out, F a, F b) {
+    const __m256 low = _mm256_unpacklo_ps(a.v, b.v);   // pairs 0 1 | 4 5
+    const __m256 high = _mm256_unpackhi_ps(a.v, b.v);  // pairs 2 3 | 6 7
+    _mm256_storeu_ps(out, _mm256_permute2f128_ps(low, high, 0x20));
+    _mm256_storeu_ps(out + 8, _mm256_permute2f128_ps(low, high, 0x31));
+  }
+  static void scatter_pairs(int16_t* out, I a, I b) {
+    const __m256i low = _mm256_unpacklo_epi32(a.v, b.v);
+    const __m256i high = _mm256_unpackhi_epi32(a.v, b.v);
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(out), _mm256_permute2x128_si256(low, high, 0x20));
+    _mm256_storeu_si256(reinterpret_cast<__m256i*>(out + 16), _mm256_permute2x128_si256(low, high, 0x31));
+  }
+  static void scatter_quads(float* out, F a, F b, F c, F d) {
+    F r0, r1, r2, r3;
     transpose(a.v, b.v, c.v, d.v, r0, r1, r2, r3);
-    transpose(e.v, f.v, g.v, h.v, s0, s1, s2, s3);
-    const F left[4] = {r0, r1, r2, r3};
-    const F right[4] = {s0, s1, s2, s3};
-    for (size_t i = 0; i < 4; ++i) {
-      _mm256_storeu_ps(out + 8 * i, _mm256_permute2f128_ps(left[i].v, right[i].v, 0x20));
-      _mm256_storeu_ps(out + 8 * (i + 4), _mm256_permute2f128_ps(left[i].v, right[i].v, 0x31));
-    }
+    _mm256_storeu_ps(out, _mm256_permute2f128_ps(r0.v, r1.v, 0x20));
+    _mm256_storeu_ps(out + 8, _mm256_permute2f128_ps(r2.v, r3.v, 0x20));
+    _mm256_storeu_ps(out + 16, _mm256_permute2f128_ps(r0.v, r1.v, 0x31));
+    _mm256_storeu_ps(out + 24, _mm256_permute2f128_ps(r2.v, r3.v, 0x31));
+  }
+  static void load_triples(const uint32_t* p, I& a, I& b, I& c) {
+    const auto two = [p](size_t i) {
+      const auto* low = reinterpret_cast<const __m128i*>(p + i);
+      const auto* high = reinterpret_cast<const __m128i*>(p + i + 12);
+      return _mm256_castsi256_ps(
+          _mm256_inserti128_si256(_mm256_castsi128_si256(_mm_loadu_si128(low)), _mm_loadu_si128(high), 1));
+    };
+    F x, y, z;
+    split_triples(two(0), two(4), two(8), x, y, z);
+    a = bits(x);
+    b = bits(y);
+    c = bits(z);
   }
   static void load_triples(const float* p, F& a, F& b, F& c) {
+    split_triples(two_quads(p, p + 12), two_quads(p + 4, p + 16), two_quads(p + 8, p + 20), a, b, c);
+  }
+  static void split_triples(__m256 r0, __m256 r1, __m256 r2, F& a, F& b, F& c) {
     // Lanes 0-3 and 4-7 are twelve floats each: x0 y0 z0 x1 | y1 z1 x2 y2 | z2 x3 y3 z3.
-    const __m256 r0 = two_quads(p, p + 12);
-    const __m256 r1 = two_quads(p + 4, p + 16);
-    const __m256 r2 = two_quads(p + 8, p + 20);
     const __m256 x2y2x3y3 = _mm256_shuffle_ps(r1, r2, 0x9E);  // x2 y2 x3 y3
     const __m256 y0z0y1z1 = _mm256_shuffle_ps(r0, r1, 0x49);  // y0 z0 y1 z1
     a = {_mm256_shuffle_ps(r0, x2y2x3y3, 0x8C)};              // x0 x1 x2 x3

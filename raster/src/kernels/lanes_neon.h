@@ -24,14 +24,22 @@ struct Neon {
     friend I operator|(I a, I b) { return {vorrq_s32(a.l, b.l), vorrq_s32(a.h, b.h)}; }
     friend I operator^(I a, I b) { return {veorq_s32(a.l, b.l), veorq_s32(a.h, b.h)}; }
   };
-  struct H {
-    int16x8_t v;
-    friend H operator+(H a, H b) { return {vaddq_s16(a.v, b.v)}; }
-    friend H operator*(H a, H b) { return {vmulq_s16(a.v, b.v)}; }
+  struct Q {
+    int16x8_t v[4];
+    friend Q operator+(const Q& a, const Q& b) {
+      return {
+          {vaddq_s16(a.v[0], b.v[0]), vaddq_s16(a.v[1], b.v[1]), vaddq_s16(a.v[2], b.v[2]), vaddq_s16(a.v[3], b.v[3])}};
+    }
+    friend Q operator*(const Q& a, const Q& b) {
+      return {
+          {vmulq_s16(a.v[0], b.v[0]), vmulq_s16(a.v[1], b.v[1]), vmulq_s16(a.v[2], b.v[2]), vmulq_s16(a.v[3], b.v[3])}};
+    }
   };
 
   static F set(float x) { return {vdupq_n_f32(x), vdupq_n_f32(x)}; }
   static I set(int32_t x) { return {vdupq_n_s32(x), vdupq_n_s32(x)}; }
+  static F spread(const float* p) { return {vld1q_dup_f32(p), vld1q_dup_f32(p)}; }
+  static I spread(const int32_t* p) { return {vld1q_dup_s32(p), vld1q_dup_s32(p)}; }
   static F load(const float* p) { return load_2x4(p, 4); }
   static I load(const int32_t* p) { return {vld1q_s32(p), vld1q_s32(p + 4)}; }
   static I load(const uint32_t* p) { return load_2x4(p, 4); }
@@ -70,6 +78,7 @@ struct Neon {
   static I truncate(F a) { return {vcvtq_s32_f32(a.l), vcvtq_s32_f32(a.h)}; }
   static I round(F a) { return {vcvtnq_s32_f32(a.l), vcvtnq_s32_f32(a.h)}; }
   static I bits(F a) { return {vreinterpretq_s32_f32(a.l), vreinterpretq_s32_f32(a.h)}; }
+  static F from_bits(I a) { return {vreinterpretq_f32_s32(a.l), vreinterpretq_f32_s32(a.h)}; }
 
   static I sign_mask(I a) { return shift_right<31>(a); }
   // Masks are whole lanes here, so the sign bit need not be spread again.
@@ -90,6 +99,10 @@ struct Neon {
   static I pair(I low, I high) { return {vsliq_n_s32(low.l, high.l, 16), vsliq_n_s32(low.h, high.h, 16)}; }
   static I dot(I a, I b) { return {dot4(a.l, b.l), dot4(a.h, b.h)}; }
 
+  static I min16(I a, I b) { return {halves_min(a.l, b.l), halves_min(a.h, b.h)}; }
+  static I max16(I a, I b) { return {halves_max(a.l, b.l), halves_max(a.h, b.h)}; }
+  static I subtract16(I a, I b) { return {halves_subtract(a.l, b.l), halves_subtract(a.h, b.h)}; }
+
   static F load_2x4(const float* p, size_t stride) { return {vld1q_f32(p), vld1q_f32(p + stride)}; }
   static I load_2x4(const uint32_t* p, size_t stride) { return lanes_of(vld1q_u32(p), vld1q_u32(p + stride)); }
   static void store_2x4(float* p, size_t stride, F a) {
@@ -101,21 +114,29 @@ struct Neon {
     vst1q_u32(p + stride, unsigned_of(a.h));
   }
 
-  static H halves(uint32_t pair_of_equals) { return {vreinterpretq_s16_u32(vdupq_n_u32(pair_of_equals))}; }
-  static H load_halves(const int16_t* p) { return {vld1q_s16(p)}; }
-  static H min(H a, H b) { return {vminq_s16(a.v, b.v)}; }
-  static H max(H a, H b) { return {vmaxq_s16(a.v, b.v)}; }
-  template <int kBits>
-  static H shift_left(H a) {
-    return {vshlq_n_s16(a.v, kBits)};
+  static Q quads(const int16_t* p) {
+    const int16x4_t four = vld1_s16(p);
+    const int16x8_t twice = vcombine_s16(four, four);
+    return {{twice, twice, twice, twice}};
+  }
+  static Q load_quads(const int16_t* p) {
+    return {{vld1q_s16(p), vld1q_s16(p + 8), vld1q_s16(p + 16), vld1q_s16(p + 24)}};
+  }
+  static Q min(const Q& a, const Q& b) {
+    return {
+        {vminq_s16(a.v[0], b.v[0]), vminq_s16(a.v[1], b.v[1]), vminq_s16(a.v[2], b.v[2]), vminq_s16(a.v[3], b.v[3])}};
+  }
+  static Q max(const Q& a, const Q& b) {
+    return {
+        {vmaxq_s16(a.v[0], b.v[0]), vmaxq_s16(a.v[1], b.v[1]), vmaxq_s16(a.v[2], b.v[2]), vmaxq_s16(a.v[3], b.v[3])}};
   }
   template <int kBits>
-  static H shift_right(H a) {
-    return {vreinterpretq_s16_u16(vshrq_n_u16(vreinterpretq_u16_s16(a.v), kBits))};
-  }
-  static I pixels(H red, H green, H blue) {
-    const int16x8_t low = vorrq_s16(blue.v, vshlq_n_s16(green.v, 8));
-    return {vreinterpretq_s32_s16(vzip1q_s16(low, red.v)), vreinterpretq_s32_s16(vzip2q_s16(low, red.v))};
+  static I bytes(const Q& a) {
+    const auto packed = [](int16x8_t low, int16x8_t high) {
+      const int8x16_t both = vcombine_s8(vqmovn_s16(vshrq_n_s16(low, kBits)), vqmovn_s16(vshrq_n_s16(high, kBits)));
+      return vreinterpretq_s32_s8(both);
+    };
+    return I{packed(a.v[0], a.v[1]), packed(a.v[2], a.v[3])} ^ set(static_cast<int32_t>(0x80808080U));
   }
 
   static void gather_quads(const float* base, const uint32_t* number, size_t stride, F& a, F& b, F& c, F& d) {
@@ -134,16 +155,26 @@ struct Neon {
     a = {vuzp1q_f32(r0, r1), vuzp1q_f32(r2, r3)};
     b = {vuzp2q_f32(r0, r1), vuzp2q_f32(r2, r3)};
   }
-  static void scatter_octets(float* out, F a, F b, F c, F d, F e, F f, F g, F h) {
-    float32x4_t left[8], right[8];
-    transpose(a.l, b.l, c.l, d.l, left[0], left[1], left[2], left[3]);
-    transpose(a.h, b.h, c.h, d.h, left[4], left[5], left[6], left[7]);
-    transpose(e.l, f.l, g.l, h.l, right[0], right[1], right[2], right[3]);
-    transpose(e.h, f.h, g.h, h.h, right[4], right[5], right[6], right[7]);
-    for (size_t i = 0; i < 8; ++i) {
-      vst1q_f32(out + 8 * i, left[i]);
-      vst1q_f32(out + 8 * i + 4, right[i]);
-    }
+  static void scatter_pairs(float* out, F a, F b) {
+    vst2q_f32(out, float32x4x2_t{{a.l, b.l}});
+    vst2q_f32(out + 8, float32x4x2_t{{a.h, b.h}});
+  }
+  static void scatter_pairs(int16_t* out, I a, I b) {
+    vst1q_s16(out, vreinterpretq_s16_s32(vzip1q_s32(a.l, b.l)));
+    vst1q_s16(out + 8, vreinterpretq_s16_s32(vzip2q_s32(a.l, b.l)));
+    vst1q_s16(out + 16, vreinterpretq_s16_s32(vzip1q_s32(a.h, b.h)));
+    vst1q_s16(out + 24, vreinterpretq_s16_s32(vzip2q_s32(a.h, b.h)));
+  }
+  static void scatter_quads(float* out, F a, F b, F c, F d) {
+    vst4q_f32(out, float32x4x4_t{{a.l, b.l, c.l, d.l}});
+    vst4q_f32(out + 16, float32x4x4_t{{a.h, b.h, c.h, d.h}});
+  }
+  static void load_triples(const uint32_t* p, I& a, I& b, I& c) {
+    const uint32x4x3_t low = vld3q_u32(p);
+    const uint32x4x3_t high = vld3q_u32(p + 12);
+    a = lanes_of(low.val[0], high.val[0]);
+    b = lanes_of(low.val[1], high.val[1]);
+    c = lanes_of(low.val[2], high.val[2]);
   }
   static void load_triples(const float* p, F& a, F& b, F& c) {
     const float32x4x3_t low = vld3q_f32(p);
@@ -154,6 +185,16 @@ struct Neon {
   }
 
  private:
+  static int16x8_t halves16(int32x4_t a) { return vreinterpretq_s16_s32(a); }
+  static int32x4_t halves_min(int32x4_t a, int32x4_t b) {
+    return vreinterpretq_s32_s16(vminq_s16(halves16(a), halves16(b)));
+  }
+  static int32x4_t halves_max(int32x4_t a, int32x4_t b) {
+    return vreinterpretq_s32_s16(vmaxq_s16(halves16(a), halves16(b)));
+  }
+  static int32x4_t halves_subtract(int32x4_t a, int32x4_t b) {
+    return vreinterpretq_s32_s16(vsubq_s16(halves16(a), halves16(b)));
+  }
   static uint32x4_t unsigned_of(int32x4_t a) { return vreinterpretq_u32_s32(a); }
   static I lanes_of(uint32x4_t l, uint32x4_t h) { return {vreinterpretq_s32_u32(l), vreinterpretq_s32_u32(h)}; }
   static int32x4_t dot4(int32x4_t a, int32x4_t b) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Eight lanes in plain C++: the contract of every lane type, and what the others are measured against.
 //
-// F: eight IEEE single-precision numbers. I: eight 32-bit integers that wrap. H: eight 16-bit integers that wrap.
+// F: eight IEEE single-precision numbers. I: eight 32-bit integers that wrap. Q: eight times four 16-bit integers that
+// wrap.
 // Masks are I too: a comparison gives one, sign_mask makes one of the lanes' signs, &, | and and_not combine them, and
 // only select and signs may look into them (which bits count beside the sign is each type's own affair).
 // No operation is fused or reassociated, so every lane type gives the same bits.
@@ -61,19 +62,19 @@ struct Scalar {
       return map(a, b, [](uint32_t x, uint32_t y) { return x ^ y; });
     }
   };
-  struct H {
-    uint16_t v[kLanes];
+  struct Q {
+    uint16_t v[4 * kLanes];
     template <class Operation>
-    static H map(const H& a, const H& b, Operation operation) {
-      H r;
-      for (size_t i = 0; i < kLanes; ++i)
+    static Q map(const Q& a, const Q& b, Operation operation) {
+      Q r;
+      for (size_t i = 0; i < 4 * kLanes; ++i)
         r.v[i] = static_cast<uint16_t>(operation(uint32_t{a.v[i]}, uint32_t{b.v[i]}));
       return r;
     }
-    friend H operator+(const H& a, const H& b) {
+    friend Q operator+(const Q& a, const Q& b) {
       return map(a, b, [](uint32_t x, uint32_t y) { return x + y; });
     }
-    friend H operator*(const H& a, const H& b) {
+    friend Q operator*(const Q& a, const Q& b) {
       return map(a, b, [](uint32_t x, uint32_t y) { return x * y; });
     }
   };
@@ -90,6 +91,9 @@ struct Scalar {
       lane = static_cast<uint32_t>(x);
     return r;
   }
+  /// One number from memory in all lanes.
+  static F spread(const float* p) { return set(*p); }
+  static I spread(const int32_t* p) { return set(*p); }
   static F load(const float* p) {
     F r;
     for (size_t i = 0; i < kLanes; ++i)
@@ -178,24 +182,29 @@ struct Scalar {
       r.v[i] = static_cast<float>(signed_of(a.v[i]));
     return r;
   }
-  /// Towards zero; numbers beyond 32 bits are not allowed.
+  /// Towards zero. What a lane holds whose number does not fit 32 bits is each type's own affair.
   static I truncate(const F& a) {
     I r;
     for (size_t i = 0; i < kLanes; ++i)
-      r.v[i] = static_cast<uint32_t>(static_cast<int32_t>(a.v[i]));
+      r.v[i] = whole(static_cast<double>(a.v[i]));
     return r;
   }
-  /// To nearest, ties to even; numbers beyond 2^22 are not allowed.
+  /// To nearest, ties to even; else as truncate.
   static I round(const F& a) {
     I r;
     for (size_t i = 0; i < kLanes; ++i) {
-      const float rounder = 12582912.0F;
-      r.v[i] = static_cast<uint32_t>(static_cast<int32_t>((a.v[i] + rounder) - rounder));
+      const double rounder = 6755399441055744.0;  // 1.5 * 2^52 leaves no bits below 1
+      r.v[i] = whole((static_cast<double>(a.v[i]) + rounder) - rounder);
     }
     return r;
   }
   static I bits(const F& a) {
     I r;
+    __builtin_memcpy(&r, &a, sizeof r);
+    return r;
+  }
+  static F from_bits(const I& a) {
+    F r;
     __builtin_memcpy(&r, &a, sizeof r);
     return r;
   }
@@ -223,11 +232,26 @@ struct Scalar {
 
   /// Two 16-bit numbers in each lane.
   static I pair(const I& low, const I& high) {
-    return I::map(low, high, [](uint32_t x, uint32_t y) { return (x & 0xFFFFU) | (y << 16U); });
+    return I::map(low, high, [](uint32_t x, uint32_t y) { return join(x, y); });
   }
   /// low * low + high * high of signed 16-bit pairs.
   static I dot(const I& a, const I& b) {
     return I::map(a, b, [](uint32_t x, uint32_t y) { return product(x, y) + product(x >> 16U, y >> 16U); });
+  }
+
+  /// The lesser and the greater of signed 16-bit pairs, half by half; the differences, wrapping.
+  static I min16(const I& a, const I& b) {
+    return I::map(a, b, [](uint32_t x, uint32_t y) {
+      return join(signed16(x) < signed16(y) ? x : y, signed16(x >> 16U) < signed16(y >> 16U) ? x >> 16U : y >> 16U);
+    });
+  }
+  static I max16(const I& a, const I& b) {
+    return I::map(a, b, [](uint32_t x, uint32_t y) {
+      return join(signed16(x) > signed16(y) ? x : y, signed16(x >> 16U) > signed16(y >> 16U) ? x >> 16U : y >> 16U);
+    });
+  }
+  static I subtract16(const I& a, const I& b) {
+    return I::map(a, b, [](uint32_t x, uint32_t y) { return join(x - y, (x >> 16U) - (y >> 16U)); });
   }
 
   /// Lanes 0-3 from p, lanes 4-7 from p + stride.
@@ -260,39 +284,38 @@ struct Scalar {
     }
   }
 
-  /// All lanes from a word that holds the number twice.
-  static H halves(uint32_t pair_of_equals) {
-    H r;
-    for (uint16_t& lane : r.v)
-      lane = static_cast<uint16_t>(pair_of_equals);
+  /// The same four numbers in every lane.
+  static Q quads(const int16_t* p) {
+    Q r;
+    for (size_t i = 0; i < 4 * kLanes; ++i)
+      r.v[i] = static_cast<uint16_t>(p[i % 4]);
     return r;
   }
-  static H load_halves(const int16_t* p) {
-    H r;
-    for (size_t i = 0; i < kLanes; ++i)
+  /// Thirty-two numbers, lane by lane.
+  static Q load_quads(const int16_t* p) {
+    Q r;
+    for (size_t i = 0; i < 4 * kLanes; ++i)
       r.v[i] = static_cast<uint16_t>(p[i]);
     return r;
   }
-  static H min(const H& a, const H& b) {
-    return H::map(a, b, [](uint32_t x, uint32_t y) { return signed16(x) < signed16(y) ? x : y; });
+  static Q min(const Q& a, const Q& b) {
+    return Q::map(a, b, [](uint32_t x, uint32_t y) { return signed16(x) < signed16(y) ? x : y; });
   }
-  static H max(const H& a, const H& b) {
-    return H::map(a, b, [](uint32_t x, uint32_t y) { return signed16(x) > signed16(y) ? x : y; });
+  static Q max(const Q& a, const Q& b) {
+    return Q::map(a, b, [](uint32_t x, uint32_t y) { return signed16(x) > signed16(y) ? x : y; });
   }
+  /// Each lane's four numbers, shifted right (rounding down), held within -128 to 127, plus 128, as the bytes of a word
+  /// from the lowest up.
   template <int kBits>
-  static H shift_left(const H& a) {
-    return H::map(a, a, [](uint32_t x, uint32_t) { return x << kBits; });
-  }
-  /// Logical.
-  template <int kBits>
-  static H shift_right(const H& a) {
-    return H::map(a, a, [](uint32_t x, uint32_t) { return x >> kBits; });
-  }
-  /// 0x00RRGGBB of channels from 0 to 255.
-  static I pixels(const H& red, const H& green, const H& blue) {
+  static I bytes(const Q& a) {
     I r;
-    for (size_t i = 0; i < kLanes; ++i)
-      r.v[i] = (uint32_t{red.v[i]} << 16U) | (uint32_t{green.v[i]} << 8U) | blue.v[i];
+    for (size_t i = 0; i < kLanes; ++i) {
+      r.v[i] = 0;
+      for (size_t c = 0; c < 4; ++c) {
+        const int32_t level = (signed16(a.v[4 * i + c]) >> kBits) + 128;
+        r.v[i] |= static_cast<uint32_t>(level < 0 ? 0 : level > 255 ? 255 : level) << (8 * c);
+      }
+    }
     return r;
   }
 
@@ -313,16 +336,37 @@ struct Scalar {
       b.v[i] = p[1];
     }
   }
-  /// Eight times eight floats: lane i of all eight goes to out + 8 * i.
-  static void scatter_octets(float* out, const F& a, const F& b, const F& c, const F& d, const F& e, const F& f,
-                             const F& g, const F& h) {
-    const F* rows[8] = {&a, &b, &c, &d, &e, &f, &g, &h};
+  /// Lane i of a, b goes to out + 2 * i.
+  static void scatter_pairs(float* out, const F& a, const F& b) {
     for (size_t i = 0; i < kLanes; ++i) {
-      for (size_t k = 0; k < 8; ++k)
-        out[8 * i + k] = rows[k]->v[i];
+      out[2 * i] = a.v[i];
+      out[2 * i + 1] = b.v[i];
     }
   }
-  /// Lane i of a, b, c: the three floats at p + 3 * i.
+  /// The words of lane i of a, b go to out + 4 * i.
+  static void scatter_pairs(int16_t* out, const I& a, const I& b) {
+    for (size_t i = 0; i < kLanes; ++i) {
+      __builtin_memcpy(out + 4 * i, &a.v[i], sizeof(uint32_t));
+      __builtin_memcpy(out + 4 * i + 2, &b.v[i], sizeof(uint32_t));
+    }
+  }
+  /// Lane i of a, b, c, d goes to out + 4 * i.
+  static void scatter_quads(float* out, const F& a, const F& b, const F& c, const F& d) {
+    for (size_t i = 0; i < kLanes; ++i) {
+      out[4 * i] = a.v[i];
+      out[4 * i + 1] = b.v[i];
+      out[4 * i + 2] = c.v[i];
+      out[4 * i + 3] = d.v[i];
+    }
+  }
+  /// Lane i of a, b, c: the three numbers at p + 3 * i.
+  static void load_triples(const uint32_t* p, I& a, I& b, I& c) {
+    for (size_t i = 0; i < kLanes; ++i) {
+      a.v[i] = p[3 * i];
+      b.v[i] = p[3 * i + 1];
+      c.v[i] = p[3 * i + 2];
+    }
+  }
   static void load_triples(const float* p, F& a, F& b, F& c) {
     for (size_t i = 0; i < kLanes; ++i) {
       a.v[i] = p[3 * i];
@@ -332,8 +376,12 @@ struct Scalar {
   }
 
  private:
+  static uint32_t whole(double x) {
+    return x > -2147483649.0 && x < 2147483648.0 ? static_cast<uint32_t>(static_cast<int32_t>(x)) : 0x80000000U;
+  }
   static int32_t signed_of(uint32_t x) { return static_cast<int32_t>(x); }
   static int32_t signed16(uint32_t x) { return static_cast<int16_t>(static_cast<uint16_t>(x)); }
+  static uint32_t join(uint32_t low, uint32_t high) { return (low & 0xFFFFU) | (high << 16U); }
   static uint32_t all_if(bool condition) { return condition ? 0xFFFFFFFFU : 0U; }
   static uint32_t product(uint32_t x, uint32_t y) { return static_cast<uint32_t>(signed16(x) * signed16(y)); }
 };

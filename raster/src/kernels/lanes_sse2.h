@@ -24,14 +24,25 @@ struct Sse2 {
     friend I operator|(I a, I b) { return {_mm_or_si128(a.l, b.l), _mm_or_si128(a.h, b.h)}; }
     friend I operator^(I a, I b) { return {_mm_xor_si128(a.l, b.l), _mm_xor_si128(a.h, b.h)}; }
   };
-  struct H {
-    __m128i v;
-    friend H operator+(H a, H b) { return {_mm_add_epi16(a.v, b.v)}; }
-    friend H operator*(H a, H b) { return {_mm_mullo_epi16(a.v, b.v)}; }
+  struct Q {
+    __m128i v[4];
+    friend Q operator+(const Q& a, const Q& b) {
+      return {{_mm_add_epi16(a.v[0], b.v[0]), _mm_add_epi16(a.v[1], b.v[1]), _mm_add_epi16(a.v[2], b.v[2]),
+               _mm_add_epi16(a.v[3], b.v[3])}};
+    }
+    friend Q operator*(const Q& a, const Q& b) {
+      return {{_mm_mullo_epi16(a.v[0], b.v[0]), _mm_mullo_epi16(a.v[1], b.v[1]), _mm_mullo_epi16(a.v[2], b.v[2]),
+               _mm_mullo_epi16(a.v[3], b.v[3])}};
+    }
   };
 
   static F set(float x) { return {_mm_set1_ps(x), _mm_set1_ps(x)}; }
   static I set(int32_t x) { return {_mm_set1_epi32(x), _mm_set1_epi32(x)}; }
+  static F spread(const float* p) { return set(*p); }
+  static I spread(const int32_t* p) {
+    const __m128i one = _mm_shuffle_epi32(_mm_loadu_si32(p), 0);
+    return {one, one};
+  }
   static F load(const float* p) { return {_mm_loadu_ps(p), _mm_loadu_ps(p + 4)}; }
   static I load(const int32_t* p) { return {load4(p), load4(p + 4)}; }
   static I load(const uint32_t* p) { return {load4(p), load4(p + 4)}; }
@@ -65,6 +76,7 @@ struct Sse2 {
   static I truncate(F a) { return {_mm_cvttps_epi32(a.l), _mm_cvttps_epi32(a.h)}; }
   static I round(F a) { return {_mm_cvtps_epi32(a.l), _mm_cvtps_epi32(a.h)}; }
   static I bits(F a) { return {_mm_castps_si128(a.l), _mm_castps_si128(a.h)}; }
+  static F from_bits(I a) { return {_mm_castsi128_ps(a.l), _mm_castsi128_ps(a.h)}; }
 
   static I sign_mask(I a) { return shift_right<31>(a); }
   // Masks are whole lanes here, so the sign bit need not be spread again.
@@ -81,6 +93,10 @@ struct Sse2 {
   static I pair(I low, I high) { return (low & set(int32_t{0xFFFF})) | shift_left<16>(high); }
   static I dot(I a, I b) { return {_mm_madd_epi16(a.l, b.l), _mm_madd_epi16(a.h, b.h)}; }
 
+  static I min16(I a, I b) { return {_mm_min_epi16(a.l, b.l), _mm_min_epi16(a.h, b.h)}; }
+  static I max16(I a, I b) { return {_mm_max_epi16(a.l, b.l), _mm_max_epi16(a.h, b.h)}; }
+  static I subtract16(I a, I b) { return {_mm_sub_epi16(a.l, b.l), _mm_sub_epi16(a.h, b.h)}; }
+
   static F load_2x4(const float* p, size_t stride) { return {_mm_loadu_ps(p), _mm_loadu_ps(p + stride)}; }
   static I load_2x4(const uint32_t* p, size_t stride) { return {load4(p), load4(p + stride)}; }
   static void store_2x4(float* p, size_t stride, F a) {
@@ -92,21 +108,25 @@ struct Sse2 {
     store4(p + stride, a.h);
   }
 
-  static H halves(uint32_t pair_of_equals) { return {_mm_set1_epi32(static_cast<int>(pair_of_equals))}; }
-  static H load_halves(const int16_t* p) { return {load4(p)}; }
-  static H min(H a, H b) { return {_mm_min_epi16(a.v, b.v)}; }
-  static H max(H a, H b) { return {_mm_max_epi16(a.v, b.v)}; }
-  template <int kBits>
-  static H shift_left(H a) {
-    return {_mm_slli_epi16(a.v, kBits)};
+  static Q quads(const int16_t* p) {
+    const __m128i four = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(p));
+    const __m128i twice = _mm_unpacklo_epi64(four, four);
+    return {{twice, twice, twice, twice}};
+  }
+  static Q load_quads(const int16_t* p) { return {{load4(p), load4(p + 8), load4(p + 16), load4(p + 24)}}; }
+  static Q min(const Q& a, const Q& b) {
+    return {{_mm_min_epi16(a.v[0], b.v[0]), _mm_min_epi16(a.v[1], b.v[1]), _mm_min_epi16(a.v[2], b.v[2]),
+             _mm_min_epi16(a.v[3], b.v[3])}};
+  }
+  static Q max(const Q& a, const Q& b) {
+    return {{_mm_max_epi16(a.v[0], b.v[0]), _mm_max_epi16(a.v[1], b.v[1]), _mm_max_epi16(a.v[2], b.v[2]),
+             _mm_max_epi16(a.v[3], b.v[3])}};
   }
   template <int kBits>
-  static H shift_right(H a) {
-    return {_mm_srli_epi16(a.v, kBits)};
-  }
-  static I pixels(H red, H green, H blue) {
-    const __m128i low = _mm_or_si128(blue.v, _mm_slli_epi16(green.v, 8));
-    return {_mm_unpacklo_epi16(low, red.v), _mm_unpackhi_epi16(low, red.v)};
+  static I bytes(const Q& a) {
+    const __m128i low = _mm_packs_epi16(_mm_srai_epi16(a.v[0], kBits), _mm_srai_epi16(a.v[1], kBits));
+    const __m128i high = _mm_packs_epi16(_mm_srai_epi16(a.v[2], kBits), _mm_srai_epi16(a.v[3], kBits));
+    return I{low, high} ^ set(static_cast<int32_t>(0x80808080U));
   }
 
   static void gather_quads(const float* base, const uint32_t* number, size_t stride, F& a, F& b, F& c, F& d) {
@@ -126,20 +146,37 @@ struct Sse2 {
     a = {_mm_shuffle_ps(r0, r1, 0x88), _mm_shuffle_ps(r2, r3, 0x88)};
     b = {_mm_shuffle_ps(r0, r1, 0xDD), _mm_shuffle_ps(r2, r3, 0xDD)};
   }
-  static void scatter_octets(float* out, F a, F b, F c, F d, F e, F f, F g, F h) {
-    __m128 left[8], right[8];
-    transpose(a.l, b.l, c.l, d.l, left[0], left[1], left[2], left[3]);
-    transpose(a.h, b.h, c.h, d.h, left[4], left[5], left[6], left[7]);
-    transpose(e.l, f.l, g.l, h.l, right[0], right[1], right[2], right[3]);
-    transpose(e.h, f.h, g.h, h.h, right[4], right[5], right[6], right[7]);
-    for (size_t i = 0; i < 8; ++i) {
-      _mm_storeu_ps(out + 8 * i, left[i]);
-      _mm_storeu_ps(out + 8 * i + 4, right[i]);
-    }
+  static void scatter_pairs(float* out, F a, F b) {
+    _mm_storeu_ps(out, _mm_unpacklo_ps(a.l, b.l));
+    _mm_storeu_ps(out + 4, _mm_unpackhi_ps(a.l, b.l));
+    _mm_storeu_ps(out + 8, _mm_unpacklo_ps(a.h, b.h));
+    _mm_storeu_ps(out + 12, _mm_unpackhi_ps(a.h, b.h));
+  }
+  static void scatter_pairs(int16_t* out, I a, I b) {
+    store4(out, _mm_unpacklo_epi32(a.l, b.l));
+    store4(out + 8, _mm_unpackhi_epi32(a.l, b.l));
+    store4(out + 16, _mm_unpacklo_epi32(a.h, b.h));
+    store4(out + 24, _mm_unpackhi_epi32(a.h, b.h));
+  }
+  static void scatter_quads(float* out, F a, F b, F c, F d) {
+    __m128 rows[8];
+    transpose(a.l, b.l, c.l, d.l, rows[0], rows[1], rows[2], rows[3]);
+    transpose(a.h, b.h, c.h, d.h, rows[4], rows[5], rows[6], rows[7]);
+    for (size_t i = 0; i < 8; ++i)
+      _mm_storeu_ps(out + 4 * i, rows[i]);
+  }
+  static void load_triples(const uint32_t* p, I& a, I& b, I& c) {
+    const auto four = [p](size_t i) { return _mm_castsi128_ps(load4(p + i)); };
+    F x, y, z;
+    split_triples(four(0), four(4), four(8), x.l, y.l, z.l);
+    split_triples(four(12), four(16), four(20), x.h, y.h, z.h);
+    a = bits(x);
+    b = bits(y);
+    c = bits(z);
   }
   static void load_triples(const float* p, F& a, F& b, F& c) {
-    four_triples(p, a.l, b.l, c.l);
-    four_triples(p + 12, a.h, b.h, c.h);
+    split_triples(_mm_loadu_ps(p), _mm_loadu_ps(p + 4), _mm_loadu_ps(p + 8), a.l, b.l, c.l);
+    split_triples(_mm_loadu_ps(p + 12), _mm_loadu_ps(p + 16), _mm_loadu_ps(p + 20), a.h, b.h, c.h);
   }
 
  private:
@@ -157,10 +194,7 @@ struct Sse2 {
     d = _mm_movehl_ps(t3, t1);
   }
   // x0 y0 z0 x1 | y1 z1 x2 y2 | z2 x3 y3 z3
-  static void four_triples(const float* p, __m128& a, __m128& b, __m128& c) {
-    const __m128 r0 = _mm_loadu_ps(p);
-    const __m128 r1 = _mm_loadu_ps(p + 4);
-    const __m128 r2 = _mm_loadu_ps(p + 8);
+  static void split_triples(__m128 r0, __m128 r1, __m128 r2, __m128& a, __m128& b, __m128& c) {
     const __m128 x2y2x3y3 = _mm_shuffle_ps(r1, r2, 0x9E);
     const __m128 y0z0y1z1 = _mm_shuffle_ps(r0, r1, 0x49);
     a = _mm_shuffle_ps(r0, x2y2x3y3, 0x8C);

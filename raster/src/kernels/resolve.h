@@ -13,30 +13,71 @@ struct Resolve {
   static constexpr size_t kRowWords = size_t{kTileStride} * kSamples;
 
   static F held(F value, float least, float greatest) { return L::min(L::max(value, L::set(least)), L::set(greatest)); }
-  static F at(const Plane& p, F dx, float dy) {
-    return held(L::set(p.origin + dy * p.per_y) + dx * L::set(p.per_x), p.least, p.greatest);
-  }
+  // The colours of a general triangle along one row of pixels.
+  struct Shader {
+    F per_x[3], row[3], least[3], greatest[3];
+    const GeneralTriangle& t;
+    float dy;
 
-  // The colours of a general triangle at the centres of eight pixels side by side.
-  static I shade(const GeneralTriangle& t, int32_t column, int32_t row) {
-    if (t.colour != kGouraudColour) return L::set(static_cast<int32_t>(t.colour));
-    static constexpr float kSteps[8] = {0, 256, 512, 768, 1024, 1280, 1536, 1792};
-    const F dx = L::set(static_cast<float>(column * kSubPixels + kSubPixels / 2 - t.x[0])) + L::load(kSteps);
-    const float dy = static_cast<float>(row * kSubPixels + kSubPixels / 2 - t.y[0]);
-    const F divisor = t.perspective ? at(t.inverse_w, dx, dy) : L::set(1.0F);
-    I channel[3];
-    for (size_t c = 0; c < 3; ++c) {
-      F value = at(t.level[c], dx, dy);
-      if (t.perspective) value = held(value / divisor, t.least[c], t.greatest[c]);
-      channel[c] = L::truncate(value + L::set(0.5F));
+    Shader(const GeneralTriangle& triangle, int32_t pixel_row)
+        : t(triangle), dy(static_cast<float>(pixel_row * kSubPixels + kSubPixels / 2 - triangle.y[0])) {
+      for (size_t c = 0; c < 3; ++c) {
+        const Plane& level = t.level[c];
+        per_x[c] = L::set(level.per_x);
+        row[c] = L::set(level.origin + dy * level.per_y);
+        least[c] = L::set(level.least);
+        greatest[c] = L::set(level.greatest);
+      }
     }
-    return L::template shift_left<16>(channel[0]) | L::template shift_left<8>(channel[1]) | channel[2];
+    // Sub-pixels from the triangle's first corner to the centres of eight pixels.
+    F across(int32_t column) const {
+      static constexpr float kSteps[8] = {0, 256, 512, 768, 1024, 1280, 1536, 1792};
+      return L::set(static_cast<float>(column * kSubPixels + kSubPixels / 2 - t.x[0])) + L::load(kSteps);
+    }
+    template <bool kPerspective>
+    I at(F dx) const {
+      F value[3];
+      for (size_t c = 0; c < 3; ++c)
+        value[c] = L::min(L::max(row[c] + dx * per_x[c], least[c]), greatest[c]);
+      if constexpr (kPerspective) {
+        const Plane& w = t.inverse_w;
+        const F divisor = held(L::set(w.origin + dy * w.per_y) + dx * L::set(w.per_x), w.least, w.greatest);
+        for (size_t c = 0; c < 3; ++c)
+          value[c] = held(value[c] / divisor, t.least[c], t.greatest[c]);
+      }
+      const F half = L::set(0.5F);
+      const I red = L::truncate(value[0] + half);
+      const I green = L::truncate(value[1] + half);
+      return L::template shift_left<16>(red) | L::template shift_left<8>(green) | L::truncate(value[2] + half);
+    }
+    I at(int32_t column) const { return t.perspective ? at<true>(across(column)) : at<false>(across(column)); }
+
+    // A run of pixels that promise this triangle, from `column` on; returns where it ends.
+    template <bool kPerspective>
+    int32_t run(const TileJob& job, const uint32_t* words, uint32_t word, uint32_t* pixels, int32_t column) const {
+      F dx = across(job.x + column);
+      do {
+        L::store(pixels + column, at<kPerspective>(dx));
+        dx = dx + L::set(8.0F * kSubPixels);
+        column += 8;
+      } while (column + 8 <= job.width && all_samples(words + column, word));
+      return column;
+    }
+  };
+
+  // Whether all samples of eight pixels hold this word.
+  static bool all_samples(const uint32_t* words, uint32_t word) {
+    const I wanted = L::set(static_cast<int32_t>(word));
+    I differ = L::load(words) ^ wanted;
+    for (size_t s = 1; s < kSamples; ++s)
+      differ = differ | (L::load(words + s * kTileStride) ^ wanted);
+    return L::signs(L::equal(differ, L::set(0))) == 0xFFU;
   }
 
   static const GeneralTriangle& promised(const TileJob& job, uint32_t word) {
-    if (word == kDeferredHere) return *job.buffers.scratch;
-    const uint32_t number = word & ((1U << kDeferredWorkerShift) - 1U);
-    return job.general[(word & ~kDeferred) >> kDeferredWorkerShift][number];
+    if (word == kScratchTriangle) return *job.buffers.scratch;
+    const uint32_t place = word & ((1U << kBinShift) - 1U);
+    return job.general[(word & ~kGeneralTriangle) >> kBinShift][place];
   }
 
   // Eight words of the colour buffer with every promise kept.
@@ -47,7 +88,7 @@ struct Resolve {
       L::store(lanes, words);
       const uint32_t word = lanes[__builtin_ctz(open)];
       const I same = L::equal(words, L::set(static_cast<int32_t>(word)));
-      words = L::select(same, shade(promised(job, word), column, row), words);
+      words = L::select(same, Shader(promised(job, word), row).at(column), words);
       open &= ~L::signs(same);
     }
     return words;
@@ -59,7 +100,7 @@ struct Resolve {
     const int32_t first_row = t.first_row > job.y ? t.first_row - job.y : 0;
     const int32_t last_column = t.last_column - job.x < job.width - 1 ? t.last_column - job.x : job.width - 1;
     const int32_t last_row = t.last_row - job.y < job.height - 1 ? t.last_row - job.y : job.height - 1;
-    const I here = L::set(static_cast<int32_t>(kDeferredHere));
+    const I here = L::set(static_cast<int32_t>(kScratchTriangle));
     for (int32_t row = first_row; row <= last_row; ++row) {
       for (int32_t column = first_column; column <= last_column; column += 8) {
         I colour{};
@@ -69,7 +110,7 @@ struct Resolve {
           const I old = L::load(words);
           const I mine = L::equal(old, here);
           if (L::signs(mine) == 0U) continue;
-          if (!shaded) colour = shade(t, job.x + column, job.y + row);
+          if (!shaded) colour = Shader(t, job.y + row).at(job.x + column);
           shaded = true;
           L::store(words, L::select(mine, colour, old));
         }
@@ -96,15 +137,15 @@ struct Resolve {
     return L::template shift_left<16>(level(red)) | L::template shift_left<8>(level(green)) | level(blue);
   }
 
-  static I eight(const TileJob& job, int32_t column, int32_t row) {
-    const uint32_t* words = job.buffers.colour + static_cast<size_t>(row) * kRowWords + static_cast<size_t>(column);
+  static I eight(const TileJob& job, const uint32_t* words, int32_t column, int32_t row) {
     I samples[kSamples];
-    I open{};
-    I differ{};
-    for (size_t s = 0; s < kSamples; ++s) {
+    samples[0] = L::load(words);
+    I open = samples[0];
+    I differ = L::set(0);
+    for (size_t s = 1; s < kSamples; ++s) {
       samples[s] = L::load(words + s * kTileStride);
-      open = s == 0 ? samples[0] : open | samples[s];
-      if (s > 0) differ = s == 1 ? samples[1] ^ samples[0] : differ | (samples[s] ^ samples[0]);
+      open = open | samples[s];
+      differ = differ | (samples[s] ^ samples[0]);
     }
     const bool alike = kSamples == 1 || L::signs(L::equal(differ, L::set(0))) == 0xFFU;
     const bool promises = L::signs(open) != 0U;
@@ -117,14 +158,25 @@ struct Resolve {
   }
 
   static void run(const TileJob& job) {
-    for (int32_t row = 0; row < job.height; ++row) {
-      uint32_t* pixels = job.pixels + static_cast<size_t>(row) * job.pixel_stride;
+    uint32_t* pixels = job.pixels;
+    const uint32_t* words = job.buffers.colour;
+    for (int32_t row = 0; row < job.height; ++row, pixels += job.pixel_stride, words += kRowWords) {
       int32_t column = 0;
-      for (; column + 8 <= job.width; column += 8)
-        L::store(pixels + column, eight(job, column, row));
+      while (column + 8 <= job.width) {
+        const uint32_t word = words[column];
+        if ((word & kGeneralTriangle) == 0U || !all_samples(words + column, word)) {
+          L::store(pixels + column, eight(job, words + column, column, row));
+          column += 8;
+          continue;
+        }
+        const GeneralTriangle& t = promised(job, word);
+        const Shader shader(t, job.y + row);
+        column = t.perspective ? shader.template run<true>(job, words, word, pixels, column)
+                               : shader.template run<false>(job, words, word, pixels, column);
+      }
       if (column == job.width) continue;
       uint32_t lanes[8];
-      L::store(lanes, eight(job, column, row));
+      L::store(lanes, eight(job, words + column, column, row));
       for (int32_t i = 0; column + i < job.width; ++i)
         pixels[column + i] = lanes[i];
     }

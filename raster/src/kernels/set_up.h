@@ -1,31 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
-// Set-up of eight small triangles of a tile at once: edge functions (Pineda 1988), depth plane, colours.
+// Set-up of eight small triangles of a tile at once: edge functions (Pineda 1988), depth plane, colours. Everything is
+// counted from the anchor, the first pixel of a triangle's box, wherever that lies: no tile's edge can change a bit.
 #pragma once
 
 #include "kernel.h"
 
 namespace auslan::raster {
 
-// Colours of small triangles are fixed-point with this many fraction bits and wrap at 16 bits. What is seen lies within
-// its corners' range, so wrapping loses nothing; the headroom of +-256 levels is for pixel centres beside a triangle.
-inline constexpr int kColourBits = 6;
-
 template <size_t kSamples>
 struct SmallGroup {
-  // Everything starts at the anchor: the first pixel of the triangle's box in this tile.
-  int32_t column[8], row[8];   ///< of the anchor, from the tile's corner
-  int32_t across[8], down[8];  ///< blocks of 4 x 2 pixels
-  // Edge functions in whole pixels: value at pixel (i, j) from the anchor is start + i * a + j * b, inside where it is
-  // not negative. `start` is the exact value in square sub-pixels, with the top-left rule, divided by 256 and rounded
-  // down: as a step of one pixel is a multiple of 256, no sign is lost.
-  int32_t ab[3][8];  ///< a in the low half, b in the high half
-  int32_t start[kSamples][3][8];
-  int32_t highest[3][8];  ///< the greatest of the samples' starts
-  float dx[8], dy[8];     ///< anchor's centre from the triangle's first corner, sub-pixels
-  float depth[8], depth_x[8], depth_y[8], depth_least[8], depth_greatest[8];
+  int32_t column[8], row[8];             ///< of the anchor from the tile's first pixel; may be negative
+  int32_t first_block[8], end_block[8];  ///< blocks of 4 pixels across that touch the tile
+  int32_t first_pair[8], end_pair[8];    ///< pairs of rows that touch the tile
+  // Edge functions in whole pixels: the value at pixel (i, j) from the anchor is start + i * a + j * b, inside where it
+  // is not negative. `start` is the exact value in square sub-pixels, with the top-left rule, divided by 256 and
+  // rounded down: as a step of one pixel is a multiple of 256, no sign is lost.
+  int32_t ab[3][8];     ///< a in the low half, b in the high half
+  int32_t start[3][8];  ///< the greatest of the samples' starts
+  /// Depth at pixel (i, j) is (depth + j * depth_y) + i * depth_x.
+  float depth[8], depth_x[8], depth_y[8];
+  // Blue, green, red, and nothing (-128 levels): fixed-point numbers with kLevelBits fraction bits, less 128 levels,
+  // plus half a level. They wrap at 16 bits: what is seen lies within 128 levels of the range from -128 to 127, so
+  // wrapping loses nothing.
+  int16_t colour[8][4], colour_x[8][4], colour_y[8][4];
+
+  // Used with several samples only, where a pixel's centre may lie beside the triangle.
+  int32_t below[kSamples][3][8];  ///< a sample's start less the greatest
+  float depth_least[8], depth_greatest[8];
   float sample_depth[kSamples][8];  ///< a sample's depth less its pixel centre's
-  // Each number twice, in the low and the high half. `colour` has the rounding added.
-  uint32_t colour[3][8], colour_x[3][8], colour_y[3][8], colour_least[3][8], colour_greatest[3][8];
+  int16_t colour_least[8][4], colour_greatest[8][4];
 };
 
 template <class L, size_t kSamples>
@@ -34,130 +37,160 @@ struct SetUp {
   using I = typename L::I;
   using Pattern = SamplePattern<kSamples>;
 
-  static F gradient(F d1, F d2, F k1, F k2) { return d1 * k2 - d2 * k1; }
-  static I doubled(I a) { return L::pair(a, a); }
-
-  // Fixed point; what is too large to be one wraps, and is then held within the corners' range like all colours.
-  static I fixed(F value, float bias) {
-    const F scaled = value * L::set(static_cast<float>(1 << kColourBits)) + L::set(bias);
-    const F bound = L::set(4194304.0F);
-    return L::round(L::min(L::max(scaled, L::set(-4194304.0F)), bound));
+  static constexpr int32_t packed(int32_t low, int32_t high) {
+    return static_cast<int32_t>((static_cast<uint32_t>(low) & 0xFFFFU) | (static_cast<uint32_t>(high) << 16U));
   }
+  static F gradient(F d1, F d2, F k1, F k2) { return d1 * k2 - d2 * k1; }
+  static I low_half(I words) { return words & L::set(int32_t{0xFFFF}); }
+  static I high_half(I words) { return L::template shift_right<16>(words); }
+  // Half a level for rounding, less 128 levels.
+  static constexpr int32_t kColourBias = (1 << (kLevelBits - 1)) - (128 << kLevelBits);
 
-  /// Returns the lanes whose colours must follow the perspective.
-  static uint32_t run(const TileJob& job, const uint32_t (&corner)[3][8], SmallGroup<kSamples>& out) {
-    const float* base = &job.vertices->x;
-    constexpr size_t kStride = sizeof(ScreenVertex) / sizeof(float);
-    F x[3], y[3], z[3], w[3], level[3][3], unused;
+  /// Returns the lanes that must take the long path: slivers, whose gradients need more than single precision, and
+  /// triangles whose colours must follow the perspective.
+  static uint32_t run(const TileJob& job, const EntryBlock& block, size_t first, SmallGroup<kSamples>& out) {
+    F x[3], y[3], depth[3], w[3];
+    I blue_green[3], red[3];
     for (size_t c = 0; c < 3; ++c) {
-      L::gather_quads(base, corner[c], kStride, x[c], y[c], z[c], w[c]);
-      L::gather_quads(base + 4, corner[c], kStride, level[0][c], level[1][c], level[2][c], unused);
+      const uint32_t* corner = block.corner[c] + first;
+      F levels[2];
+      L::gather_pairs(&job.points->x, corner, sizeof(ScreenPoint) / sizeof(float), x[c], y[c]);
+      L::gather_quads(&job.values->depth, corner, sizeof(ScreenValues) / sizeof(float), depth[c], w[c], levels[0],
+                      levels[1]);
+      blue_green[c] = L::bits(levels[0]);
+      red[c] = L::bits(levels[1]);
     }
 
-    // The box, as the triangle stage has it, and the part in this tile.
+    // The box, as the triangle stage has it.
+    const F left = L::min(L::min(x[0], x[1]), x[2]);
+    const F right = L::max(L::max(x[0], x[1]), x[2]);
+    const F top = L::min(L::min(y[0], y[1]), y[2]);
+    const F bottom = L::max(L::max(y[0], y[1]), y[2]);
     const I before = L::set(kSubPixels / 2 - 1 - Pattern::kReach);
     const I behind = L::set(Pattern::kReach - kSubPixels / 2);
-    const I left = L::truncate(L::min(L::min(x[0], x[1]), x[2]));
-    const I right = L::truncate(L::max(L::max(x[0], x[1]), x[2]));
-    const I top = L::truncate(L::min(L::min(y[0], y[1]), y[2]));
-    const I bottom = L::truncate(L::max(L::max(y[0], y[1]), y[2]));
-    const I box_column = L::template shift_right<kSubPixelBits>(left + before);
-    const I box_row = L::template shift_right<kSubPixelBits>(top + before);
-    const I column = L::max(box_column, L::set(job.x));
-    const I row = L::max(box_row, L::set(job.y));
-    const I last_column = L::min(L::template shift_right<kSubPixelBits>(right + behind), L::set(job.x + job.width - 1));
-    const I last_row = L::min(L::template shift_right<kSubPixelBits>(bottom + behind), L::set(job.y + job.height - 1));
-    L::store(out.column, column - L::set(job.x));
-    L::store(out.row, row - L::set(job.y));
-    L::store(out.across, L::template shift_right<2>(last_column - column) + L::set(1));
-    L::store(out.down, L::template shift_right<1>(last_row - row) + L::set(1));
+    const I column = L::template shift_right<kSubPixelBits>(L::truncate(left) + before);
+    const I row = L::template shift_right<kSubPixelBits>(L::truncate(top) + before);
+    const I last_column = L::template shift_right<kSubPixelBits>(L::truncate(right) + behind);
+    const I last_row = L::template shift_right<kSubPixelBits>(L::truncate(bottom) + behind);
+    const I zero = L::set(0);
+    const I in_tile_column = column - L::set(job.x);
+    const I in_tile_row = row - L::set(job.y);
+    L::store(out.column, in_tile_column);
+    L::store(out.row, in_tile_row);
+    L::store(out.first_block, L::template shift_right<2>(L::max(zero - in_tile_column, zero)));
+    L::store(out.first_pair, L::template shift_right<1>(L::max(zero - in_tile_row, zero)));
+    L::store(out.end_block,
+             L::template shift_right<2>(L::min(last_column, L::set(job.x + job.width - 1)) - column) + L::set(1));
+    L::store(out.end_pair,
+             L::template shift_right<1>(L::min(last_row, L::set(job.y + job.height - 1)) - row) + L::set(1));
     const I half = L::set(kSubPixels / 2);
     const I centre_x = L::template shift_left<kSubPixelBits>(column) + half;
     const I centre_y = L::template shift_left<kSubPixelBits>(row) + half;
 
     // Edges from each corner to the next. Clockwise with y down: a left edge runs up, a top edge is level, to the
     // right.
-    const I zero = L::set(0);
-    I ab[3], dx[3], dy[3];
+    I ab[3];
+    I whole_x[3], whole_y[3];
+    for (size_t c = 0; c < 3; ++c) {
+      whole_x[c] = L::truncate(x[c]);
+      whole_y[c] = L::truncate(y[c]);
+    }
     for (size_t e = 0; e < 3; ++e) {
       const size_t to = e == 2 ? 0 : e + 1;
-      dx[e] = L::truncate(x[to] - x[e]);
-      dy[e] = L::truncate(y[to] - y[e]);
-      ab[e] = L::pair(zero - dy[e], dx[e]);
+      const I dx = whole_x[to] - whole_x[e];
+      const I rise = whole_y[e] - whole_y[to];
+      ab[e] = L::pair(rise, dx);
       L::store(out.ab[e], ab[e]);
-      const I top_left =
-          L::greater(zero, dy[e]) | L::and_not(L::greater(zero, dx[e]) | L::equal(dx[e], zero), L::equal(dy[e], zero));
-      const I bias = L::select(top_left, zero, L::set(-1));
-      const I place = L::pair(centre_x - L::truncate(x[e]), centre_y - L::truncate(y[e]));
-      const I value = L::dot(ab[e], place) + bias;
-      I highest = zero;
-      for (size_t s = 0; s < kSamples; ++s) {
-        constexpr auto packed = [](int32_t px, int32_t py) {
-          return static_cast<int32_t>((static_cast<uint32_t>(px) & 0xFFFFU) | (static_cast<uint32_t>(py) << 16U));
-        };
-        const I offset = L::dot(ab[e], L::set(packed(Pattern::kX[s], Pattern::kY[s])));
-        const I start = L::template shift_right<kSubPixelBits>(value + offset);
-        L::store(out.start[s][e], start);
-        highest = s == 0 ? start : L::max(highest, start);
+      // Top or left where rise > 0, or rise == 0 and dx > 0: |dx| is below 2^15. Else one less.
+      const I bias = L::greater(L::set(1), L::template shift_left<15>(rise) + dx);
+      const I value = L::dot(ab[e], L::pair(centre_x - whole_x[e], centre_y - whole_y[e])) + bias;
+      if constexpr (kSamples == 1) {
+        L::store(out.start[e], L::template shift_right<kSubPixelBits>(value));
+      } else {
+        I start[kSamples];
+        for (size_t s = 0; s < kSamples; ++s) {
+          const I offset = L::dot(ab[e], L::set(packed(Pattern::kX[s], Pattern::kY[s])));
+          start[s] = L::template shift_right<kSubPixelBits>(value + offset);
+        }
+        I highest = start[0];
+        for (size_t s = 1; s < kSamples; ++s)
+          highest = L::max(highest, start[s]);
+        L::store(out.start[e], highest);
+        for (size_t s = 0; s < kSamples; ++s)
+          L::store(out.below[s][e], start[s] - highest);
       }
-      L::store(out.highest[e], highest);
     }
 
     // Planes: with d1, d2 the differences to the first corner, (d1 * y2 - d2 * y1) / area and (d2 * x1 - d1 * x2) /
-    // area.
-    const I area = L::dot(ab[0], L::pair(zero - dx[2], zero - dy[2]));
-    const F scale = L::set(1.0F) / L::to_float(area);
+    // area; here a pixel's worth, 256 times as much.
+    const F area = L::to_float(L::dot(ab[0], L::pair(whole_x[2] - whole_x[0], whole_y[2] - whole_y[0])));
+    const F scale = L::set(static_cast<float>(kSubPixels)) / area;
     const F x1 = (x[1] - x[0]) * scale;
     const F y1 = (y[1] - y[0]) * scale;
     const F x2 = (x[2] - x[0]) * scale;
     const F y2 = (y[2] - y[0]) * scale;
-    L::store(out.dx, L::to_float(centre_x) - x[0]);
-    L::store(out.dy, L::to_float(centre_y) - y[0]);
-    const F depth_x = gradient(z[1] - z[0], z[2] - z[0], y1, y2);
-    const F depth_y = gradient(z[2] - z[0], z[1] - z[0], x2, x1);
-    L::store(out.depth, z[0]);
+    const F pixel = L::set(1.0F / static_cast<float>(kSubPixels));
+    const F dx = (L::to_float(centre_x) - x[0]) * pixel;
+    const F dy = (L::to_float(centre_y) - y[0]) * pixel;
+    const F depth_1 = depth[1] - depth[0];
+    const F depth_2 = depth[2] - depth[0];
+    const F depth_x = gradient(depth_1, depth_2, y1, y2);
+    const F depth_y = gradient(depth_2, depth_1, x2, x1);
+    L::store(out.depth, (depth[0] + dy * depth_y) + dx * depth_x);
     L::store(out.depth_x, depth_x);
     L::store(out.depth_y, depth_y);
-    L::store(out.depth_least, L::min(L::min(z[0], z[1]), z[2]));
-    L::store(out.depth_greatest, L::max(L::max(z[0], z[1]), z[2]));
-    if constexpr (kSamples > 1) {
-      for (size_t s = 0; s < kSamples; ++s) {
-        const F offset =
-            L::set(static_cast<float>(Pattern::kX[s])) * depth_x + L::set(static_cast<float>(Pattern::kY[s])) * depth_y;
-        L::store(out.sample_depth[s], offset);
-      }
-    }
-
-    // Colours start at the corner of the whole box, wherever this tile cuts it.
-    const F box_dx = L::to_float(L::template shift_left<kSubPixelBits>(box_column) + half) - x[0];
-    const F box_dy = L::to_float(L::template shift_left<kSubPixelBits>(box_row) + half) - y[0];
-    const I steps = L::pair(column - box_column, row - box_row);
-    F widest = L::set(0.0F);
+    I start[3], per_x[3], per_y[3];
     for (size_t c = 0; c < 3; ++c) {
-      const F d1 = level[c][1] - level[c][0];
-      const F d2 = level[c][2] - level[c][0];
-      const F per_x = gradient(d1, d2, y1, y2);
-      const F per_y = gradient(d2, d1, x2, x1);
-      const F least = L::min(L::min(level[c][0], level[c][1]), level[c][2]);
-      const F greatest = L::max(L::max(level[c][0], level[c][1]), level[c][2]);
-      const float rounding = static_cast<float>(1 << (kColourBits - 1));
-      const I across = fixed(per_x * L::set(static_cast<float>(kSubPixels)), 0.0F);
-      const I down = fixed(per_y * L::set(static_cast<float>(kSubPixels)), 0.0F);
-      const I start = fixed((level[c][0] + box_dy * per_y) + box_dx * per_x, rounding);
-      L::store(out.colour[c], doubled(start + L::dot(L::pair(across, down), steps)));
-      L::store(out.colour_x[c], doubled(across));
-      L::store(out.colour_y[c], doubled(down));
-      L::store(out.colour_least[c], doubled(fixed(least, rounding)));
-      L::store(out.colour_greatest[c], doubled(fixed(greatest, rounding)));
-      widest = L::max(widest, greatest - least);
+      const auto channel = [&](size_t corner) {
+        return c == 0 ? low_half(blue_green[corner]) : c == 1 ? high_half(blue_green[corner]) : red[corner];
+      };
+      const I level = channel(0);
+      const F d1 = L::to_float(channel(1) - level);
+      const F d2 = L::to_float(channel(2) - level);
+      const F gradient_x = gradient(d1, d2, y1, y2);
+      const F gradient_y = gradient(d2, d1, x2, x1);
+      start[c] = L::round((L::to_float(level) + dy * gradient_y) + dx * gradient_x) + L::set(kColourBias);
+      per_x[c] = L::round(gradient_x);
+      per_y[c] = L::round(gradient_y);
     }
+    store_quads(out.colour, L::pair(start[0], start[1]), L::pair(start[2], L::set(-(128 << kLevelBits))));
+    store_quads(out.colour_x, L::pair(per_x[0], per_x[1]), L::pair(per_x[2], zero));
+    store_quads(out.colour_y, L::pair(per_y[0], per_y[1]), L::pair(per_y[2], zero));
+
+    const I least[2] = {L::min16(L::min16(blue_green[0], blue_green[1]), blue_green[2]),
+                        L::min16(L::min16(red[0], red[1]), red[2])};
+    const I greatest[2] = {L::max16(L::max16(blue_green[0], blue_green[1]), blue_green[2]),
+                           L::max16(L::max16(red[0], red[1]), red[2])};
+    if constexpr (kSamples > 1) store_ranges(depth, depth_x, depth_y, least, greatest, out);
 
     // Taking a colour that spreads over D levels as affine, with 1/w between q and Q, is off by at most
-    // D * (sqrt(Q/q) - 1) / (sqrt(Q/q) + 1) < D * (Q - q) / (4 q) levels. Below 1/8 of a level that is not worth a
-    // division.
+    // D * (sqrt(Q/q) - 1) / (sqrt(Q/q) + 1) < D * (Q - q) / (4 q) levels.
+    const I blue_green_spread = L::subtract16(greatest[0], least[0]);
+    const I both = L::max16(blue_green_spread, greatest[1] - least[1]);  // blue or red in the low half
+    const F widest = L::to_float(L::max16(low_half(both), high_half(both)));
     const F near_w = L::max(L::max(w[0], w[1]), w[2]);
     const F far_w = L::min(L::min(w[0], w[1]), w[2]);
-    return L::signs(L::greater(widest * (near_w - far_w), L::set(0.5F) * far_w));
+    const I perspective = L::greater(widest * (near_w - far_w), L::set(4.0F * kAffineError * kLevelScale) * far_w);
+    // With a height of 1/128 pixel and more, rounding is off by no more than 2^-11 of what depth spreads over.
+    const F span = L::max(right - left, bottom - top);
+    const I sliver = L::greater(span + span, area);
+    return L::signs(perspective | sliver);
+  }
+
+  static void store_quads(int16_t (&out)[8][4], I blue_green, I red) { L::scatter_pairs(out[0], blue_green, red); }
+
+  static void store_ranges(const F (&depth)[3], F depth_x, F depth_y, const I (&least)[2], const I (&greatest)[2],
+                           SmallGroup<kSamples>& out) {
+    L::store(out.depth_least, L::min(L::min(depth[0], depth[1]), depth[2]));
+    L::store(out.depth_greatest, L::max(L::max(depth[0], depth[1]), depth[2]));
+    for (size_t s = 0; s < kSamples; ++s) {
+      constexpr float kPixel = 1.0F / static_cast<float>(kSubPixels);
+      L::store(out.sample_depth[s], L::set(static_cast<float>(Pattern::kX[s]) * kPixel) * depth_x +
+                                        L::set(static_cast<float>(Pattern::kY[s]) * kPixel) * depth_y);
+    }
+    const I bias = L::set(packed(-kColourBias, -kColourBias));
+    store_quads(out.colour_least, L::subtract16(least[0], bias), L::subtract16(least[1], bias));
+    store_quads(out.colour_greatest, L::subtract16(greatest[0], bias), L::subtract16(greatest[1], bias));
   }
 };
 

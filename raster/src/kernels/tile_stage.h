@@ -15,81 +15,79 @@ struct TileStage {
   using I = typename L::I;
   static constexpr size_t kRowWords = size_t{kTileStride} * kSamples;
 
+  static void set_cells(float* cells, float depth) {
+    for (size_t i = 0; i < kCells; i += 8)
+      L::store(cells + i, L::set(depth));
+  }
+
   static void clear(const TileJob& job) {
     const I background = L::set(static_cast<int32_t>(job.background));
     const auto nothing = L::set(0.0F);
-    const size_t words = static_cast<size_t>(job.height) * kRowWords;
-    for (size_t i = 0; i < words; i += 8) {
-      L::store(job.buffers.colour + i, background);
-      L::store(job.buffers.depth + i, nothing);
-    }
-    for (size_t i = 0; i < kCells; i += 8)
-      L::store(job.buffers.cell_depth + i, nothing);
-  }
-
-  // Small triangles that wait for a full group.
-  struct Waiting {
-    uint32_t corner[3][8] = {};
-    uint32_t colour[8] = {};
-    size_t count = 0;
-  };
-
-  static void fill_waiting(const TileJob& job, Waiting& waiting, float& tile_depth) {
-    if (waiting.count == 0) return;
-    for (size_t i = waiting.count; i < 8; ++i) {
-      for (auto& corner : waiting.corner)
-        corner[i] = corner[0];
-    }
-    SmallGroup<kSamples> group;
-    const uint32_t perspective = SetUp<L, kSamples>::run(job, waiting.corner, group);
-    for (size_t i = 0; i < waiting.count; ++i) {
-      if ((perspective >> i & 1U) != 0U && waiting.colour[i] == kGouraudColour) {
-        fill_in_perspective(job, waiting, i, group, tile_depth);
-      } else {
-        FillSmall<L, kSamples>::run(job.buffers, group, i, waiting.colour[i]);
+    uint32_t* colour = job.buffers.colour;
+    float* depth = job.buffers.depth;
+    const size_t rows = static_cast<size_t>(job.height) * kSamples;
+    for (size_t row = 0; row < rows; ++row, colour += kTileStride, depth += kTileStride) {
+      for (size_t i = 0; i < kTileWidth; i += 8) {
+        L::store(colour + i, background);
+        L::store(depth + i, nothing);
       }
     }
-    waiting.count = 0;
+    set_cells(job.buffers.cell_least, 0.0F);
+    set_cells(job.buffers.cell_greatest, 0.0F);
   }
 
-  static void fill_in_perspective(const TileJob& job, const Waiting& waiting, size_t i,
-                                  const SmallGroup<kSamples>& group, float& tile_depth) {
+  // Eight entries of a block, or as many as it has.
+  static void fill_eight(const TileJob& job, const EntryBlock& block, size_t first, float& tile_depth) {
+    const size_t count = block.count - first < 8 ? block.count - first : 8;
+    bool any_small = false;
+    for (size_t i = first; i < first + count; ++i)
+      any_small = any_small || (block.colour[i] & kGeneralTriangle) == 0U;
+    SmallGroup<kSamples> group;
+    uint32_t long_path = 0;
+    if (any_small) {
+      long_path = SetUp<L, kSamples>::run(job, block, first, group);
+      // Small triangles do not keep the upper bounds up.
+      set_cells(job.buffers.cell_greatest, 2.0F);
+    }
+    for (size_t i = 0; i < count; ++i) {
+      const uint32_t colour = block.colour[first + i];
+      if ((colour & kGeneralTriangle) != 0U) {
+        const GeneralTriangle& t = Resolve<L, kSamples>::promised(job, colour);
+        FillGeneral<L, kSamples>::run(job, t, t.colour != kGouraudColour ? t.colour : colour, tile_depth);
+      } else if ((long_path >> i & 1U) != 0U) {
+        fill_with_care(job, block, first + i, group, i, tile_depth);
+      } else {
+        FillSmall<L, kSamples>::run(job.buffers, group, i, colour);
+      }
+    }
+  }
+
+  // A small triangle by the long path.
+  static void fill_with_care(const TileJob& job, const EntryBlock& block, size_t i, const SmallGroup<kSamples>& group,
+                             size_t k, float& tile_depth) {
+    Corner corner[3];
+    for (size_t c = 0; c < 3; ++c)
+      corner[c] = corner_of(job.points[block.corner[c][i]], job.values[block.corner[c][i]]);
     GeneralTriangle& t = *job.buffers.scratch;
-    set_up_general(job.vertices[waiting.corner[0][i]], job.vertices[waiting.corner[1][i]],
-                   job.vertices[waiting.corner[2][i]], kGouraudColour, t);
-    t.first_column = job.x + group.column[i];
-    t.first_row = job.y + group.row[i];
-    t.last_column = t.first_column + 4 * group.across[i] - 1;
-    t.last_row = t.first_row + 2 * group.down[i] - 1;
-    FillGeneral<L, kSamples>::run(job, t, kDeferredHere, tile_depth);
-    Resolve<L, kSamples>::settle(job, t);
+    set_up_general(corner[0], corner[1], corner[2], block.colour[i], t);
+    t.first_column = job.x + group.column[k];
+    t.first_row = job.y + group.row[k];
+    t.last_column = t.first_column + 4 * group.end_block[k] - 1;
+    t.last_row = t.first_row + 2 * group.end_pair[k] - 1;
+    const bool gouraud = block.colour[i] == kGouraudColour;
+    FillGeneral<L, kSamples>::run(job, t, gouraud ? kScratchTriangle : block.colour[i], tile_depth);
+    if (gouraud) Resolve<L, kSamples>::settle(job, t);
   }
 
   static void run(const TileJob& job) {
     clear(job);
     float tile_depth = 0.0F;
-    Waiting waiting;
     for (size_t list = 0; list < job.list_count; ++list) {
       for (const EntryBlock* block = job.lists[list * job.list_stride]; block != nullptr; block = block->next) {
-        for (uint32_t i = 0; i < block->count; ++i) {
-          const Entry& entry = block->entry[i];
-          if (entry.colour == kGeneralEntry) {
-            fill_waiting(job, waiting, tile_depth);
-            const GeneralTriangle& t = job.general[entry.corner[0]][entry.corner[1]];
-            const uint32_t promise = t.colour != kGouraudColour
-                                         ? t.colour
-                                         : kDeferred | entry.corner[0] << kDeferredWorkerShift | entry.corner[1];
-            FillGeneral<L, kSamples>::run(job, t, promise, tile_depth);
-            continue;
-          }
-          for (size_t c = 0; c < 3; ++c)
-            waiting.corner[c][waiting.count] = entry.corner[c];
-          waiting.colour[waiting.count] = entry.colour;
-          if (++waiting.count == 8) fill_waiting(job, waiting, tile_depth);
-        }
+        for (size_t first = 0; first < block->count; first += 8)
+          fill_eight(job, *block, first, tile_depth);
       }
     }
-    fill_waiting(job, waiting, tile_depth);
     Resolve<L, kSamples>::run(job);
   }
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Once a triangle: what cannot be seen goes, before anything is computed for its pixels.
+// Once a triangle: what cannot be seen goes, before anything is computed for its pixels; the rest goes to its tiles.
 #pragma once
 
 #include "kernel.h"
@@ -11,87 +11,159 @@ struct TriangleStage {
   using F = typename L::F;
   using I = typename L::I;
 
+  // What the loop over eights carries.
+  struct State {
+    TriangleCounts counts;
+    I least_columns, greatest_columns, least_rows, greatest_rows;  ///< first in the low, last in the high halves
+  };
+
   // Eight triangles; the lanes of `wanted` are real ones with good indices.
-  static size_t eight(const TriangleJob& job, const uint32_t (&number)[3][8], uint32_t wanted, size_t first,
-                      Survivor* out) {
+  static void eight(const TriangleJob& job, const I (&index)[3], uint32_t wanted, size_t first, State& state) {
+    alignas(32) uint32_t number[3][8];
+    I corner[3];
     F x[3], y[3];
-    const float* base = &job.vertices->x;
-    for (size_t c = 0; c < 3; ++c)
-      L::gather_pairs(base, number[c], sizeof(ScreenVertex) / sizeof(float), x[c], y[c]);
+    for (size_t c = 0; c < 3; ++c) {
+      corner[c] = index[c] + L::set(static_cast<int32_t>(job.first_vertex));
+      L::store(number[c], corner[c]);
+      L::gather_pairs(&job.points->x, number[c], sizeof(ScreenPoint) / sizeof(float), x[c], y[c]);
+    }
     const F left = L::min(L::min(x[0], x[1]), x[2]);
     const F right = L::max(L::max(x[0], x[1]), x[2]);
     const F top = L::min(L::min(y[0], y[1]), y[2]);
     const F bottom = L::max(L::max(y[0], y[1]), y[2]);
     const uint32_t cut = wanted & L::signs(L::greater(right, L::set(0.5F * kOutside)));
 
-    // Differences of a cut or large triangle mean nothing here and are not used.
-    const F bound = L::set(16777216.0F);
-    const auto whole = [bound](F a) { return L::truncate(L::max(L::min(a, bound), L::set(0.0F) - bound)); };
-    const I reach = L::set(job.reach);
-    const I before = L::set(kSubPixels / 2 - 1) - reach;
-    const I behind = reach - L::set(kSubPixels / 2);
-    const I first_column = L::template shift_right<kSubPixelBits>(whole(left) + before);
-    const I last_column = L::template shift_right<kSubPixelBits>(whole(right) + behind);
-    const I first_row = L::template shift_right<kSubPixelBits>(whole(top) + before);
-    const I last_row = L::template shift_right<kSubPixelBits>(whole(bottom) + behind);
-    I unseen = L::greater(first_column, last_column) | L::greater(first_row, last_row);
-    unseen = unseen | L::greater(first_column, L::set(job.width - 1)) | L::greater(first_row, L::set(job.height - 1));
-    unseen = unseen | L::greater(L::set(0), last_column) | L::greater(L::set(0), last_row);
+    // Numbers of cut triangles mean nothing from here on, nor the area of large ones; they are not used.
+    const I before = L::set(kSubPixels / 2 - 1 - job.reach);
+    const I behind = L::set(job.reach - kSubPixels / 2);
+    const I first_column = L::template shift_right<kSubPixelBits>(L::truncate(left) + before);
+    const I last_column = L::template shift_right<kSubPixelBits>(L::truncate(right) + behind);
+    const I first_row = L::template shift_right<kSubPixelBits>(L::truncate(top) + before);
+    const I last_row = L::template shift_right<kSubPixelBits>(L::truncate(bottom) + behind);
+    const I right_edge = L::set(job.width - 1);
+    const I bottom_edge = L::set(job.height - 1);
+    // A sign below is set where something is negative that must not be.
+    I unseen = (last_column - first_column) | (last_row - first_row);
+    unseen = unseen | last_column | last_row | (right_edge - first_column) | (bottom_edge - first_row);
 
     const F extent = L::set(static_cast<float>(kSmallExtent));
-    const uint32_t small = L::signs(L::greater(extent, right - left) & L::greater(extent, bottom - top));
-    const I area =
-        L::dot(L::pair(whole(x[1] - x[0]), whole(y[0] - y[1])), L::pair(whole(y[2] - y[0]), whole(x[2] - x[0])));
-    const uint32_t positive = L::signs(L::greater(area, L::set(0)));
-    const uint32_t negative = L::signs(L::greater(L::set(0), area));
+    const I is_small = L::greater(extent, right - left) & L::greater(extent, bottom - top);
+    const uint32_t small = L::signs(is_small);
+    const I area = L::dot(L::pair(L::truncate(x[1] - x[0]), L::truncate(y[0] - y[1])),
+                          L::pair(L::truncate(y[2] - y[0]), L::truncate(x[2] - x[0])));
+    const uint32_t negative = L::signs(area);
+    const uint32_t positive = L::signs(L::set(0) - area);
     // Counter-clockwise in the world, y up, is a negative area on the screen, y down.
     const uint32_t front = job.mirrored ? positive : negative;
     const uint32_t facing = job.two_sided ? positive | negative : front;
     const uint32_t seen = wanted & ~cut & ~L::signs(unseen);
-    uint32_t kept = cut | (seen & ~small) | (seen & facing);
-    if (kept == 0U) return 0;
+    const uint32_t kept = cut | (seen & (~small | facing));
+    if (kept == 0U) return;
 
-    int32_t box[4][8];
-    L::store(box[0], first_column);
-    L::store(box[1], last_column);
-    L::store(box[2], first_row);
-    L::store(box[3], last_row);
-    size_t count = 0;
-    for (; kept != 0U; kept &= kept - 1U) {
-      const auto i = static_cast<size_t>(__builtin_ctz(kept));
-      const uint32_t bit = 1U << i;
-      const bool swap = (negative & small & bit) != 0U;
-      Survivor& s = out[count++];
-      s.corner[0] = number[0][i];
-      s.corner[1] = number[swap ? 2 : 1][i];
-      s.corner[2] = number[swap ? 1 : 2][i];
-      s.route = (cut & bit) != 0U ? Route::kCut : (small & bit) != 0U ? Route::kSmall : Route::kLarge;
-      s.triangle = static_cast<uint32_t>(first + i);
-      s.first_column = box[0][i];
-      s.last_column = box[1][i];
-      s.first_row = box[2][i];
-      s.last_row = box[3][i];
+    // Small triangles in the order of positive area.
+    const uint32_t turn = negative & small & ~cut;
+    if (turn != 0U) {
+      const I turned = L::sign_mask(area) & is_small;
+      L::store(number[1], L::select(turned, corner[2], corner[1]));
+      L::store(number[2], L::select(turned, corner[1], corner[2]));
     }
-    return count;
+    const I zero = L::set(0);
+    const I tile_left = L::template shift_right<kTileWidthBits>(L::max(first_column, zero));
+    const I tile_right = L::template shift_right<kTileWidthBits>(L::min(last_column, right_edge));
+    const I tile_top = L::template shift_right<kTileHeightBits>(L::max(first_row, zero));
+    const I tile_bottom = L::template shift_right<kTileHeightBits>(L::min(last_row, bottom_edge));
+    const I columns = L::pair(tile_left, tile_right);
+    const I rows = L::pair(tile_top, tile_bottom);
+    const I hidden = L::sign_mask(unseen);
+    state.least_columns = L::min16(state.least_columns, L::select(hidden, L::set(0x7FFF), columns));
+    state.greatest_columns = L::max16(state.greatest_columns, L::select(hidden, zero, columns));
+    state.least_rows = L::min16(state.least_rows, L::select(hidden, L::set(0x7FFF), rows));
+    state.greatest_rows = L::max16(state.greatest_rows, L::select(hidden, zero, rows));
+
+    const I one_tile = L::equal((tile_left ^ tile_right) | (tile_top ^ tile_bottom), zero);
+    const uint32_t ordinary = job.tails != nullptr ? kept & small & ~cut & L::signs(one_tile) : 0U;
+    alignas(32) uint32_t tile[8];
+    L::store(tile, L::dot(L::pair(tile_left, tile_top), L::set(1 | job.tiles_across << 16)));
+    for (uint32_t left_over = kept; left_over != 0U; left_over &= left_over - 1U) {
+      const auto i = static_cast<size_t>(__builtin_ctz(left_over));
+      if ((ordinary >> i & 1U) != 0U) {
+        EntryBlock* tail = job.tails[tile[i]];
+        if (tail != nullptr && tail->count < EntryBlock::kCapacity) {
+          const uint32_t place = tail->count;
+          tail->count = place + 1U;
+          tail->corner[0][place] = number[0][i];
+          tail->corner[1][place] = number[1][i];
+          tail->corner[2][place] = number[2][i];
+          tail->colour[place] = kGouraudColour;
+          ++state.counts.appended;
+          continue;
+        }
+      }
+      hand_over(job, number, columns, rows, i, first, cut, small);
+    }
+  }
+
+  [[gnu::noinline]] static void hand_over(const TriangleJob& job, const uint32_t (&number)[3][8], I columns, I rows,
+                                          size_t i, size_t first, uint32_t cut, uint32_t small) {
+    uint32_t tile_columns[8];
+    uint32_t tile_rows[8];
+    L::store(tile_columns, columns);
+    L::store(tile_rows, rows);
+    const Route route = (cut >> i & 1U) != 0U ? Route::kCut : (small >> i & 1U) != 0U ? Route::kSmall : Route::kLarge;
+    const Survivor survivor{{number[0][i], number[1][i], number[2][i]},
+                            static_cast<uint32_t>(first + i),
+                            route,
+                            tile_columns[i],
+                            tile_rows[i]};
+    job.hand_over.take(job.hand_over.context, survivor);
+  }
+
+  // The least of the low halves and the greatest of the high halves.
+  static void bounds(I least, I greatest, uint32_t& first, uint32_t& last) {
+    uint32_t low[8];
+    uint32_t high[8];
+    L::store(low, least);
+    L::store(high, greatest);
+    for (size_t i = 0; i < 8; ++i) {
+      first = (low[i] & 0xFFFFU) < first ? low[i] & 0xFFFFU : first;
+      last = high[i] >> 16U > last ? high[i] >> 16U : last;
+    }
   }
 
   static TriangleCounts run(const TriangleJob& job) {
-    TriangleCounts counts{0, 0};
+    State state;
+    state.least_columns = L::set(0x7FFF);
+    state.least_rows = L::set(0x7FFF);
+    state.greatest_columns = L::set(0);
+    state.greatest_rows = L::set(0);
+    const I limit = L::set(static_cast<int32_t>(job.vertex_count ^ 0x80000000U));
     for (size_t first = job.begin; first < job.end; first += 8) {
       const size_t real = job.end - first < 8 ? job.end - first : 8;
-      uint32_t number[3][8] = {};
-      uint32_t wanted = 0;
-      const uint32_t* index = job.indices + 3 * first;
-      for (size_t i = 0; i < real; ++i, index += 3) {
-        const bool good = index[0] < job.vertex_count && index[1] < job.vertex_count && index[2] < job.vertex_count;
-        wanted |= (good ? 1U : 0U) << i;
-        for (size_t c = 0; c < 3; ++c)
-          number[c][i] = good ? job.first_vertex + index[c] : job.first_vertex;
+      const uint32_t* indices = job.indices + 3 * first;
+      uint32_t rest[24] = {};
+      if (real < 8) {
+        for (size_t i = 0; i < 3 * real; ++i)
+          rest[i] = indices[i];
+        indices = rest;
       }
-      counts.rejected += real - static_cast<size_t>(__builtin_popcount(wanted));
-      if (wanted != 0U) counts.survivors += eight(job, number, wanted, first, job.out + counts.survivors);
+      I index[3];
+      L::load_triples(indices, index[0], index[1], index[2]);
+      // Unsigned comparison by turning the sign bit round.
+      I good = L::set(-1);
+      for (const I& i : index)
+        good = good & L::greater(limit, i ^ L::set(static_cast<int32_t>(0x80000000U)));
+      const uint32_t in_range = L::signs(good);
+      const uint32_t wanted = in_range & ((1U << real) - 1U);
+      if (in_range != 0xFFU) {
+        for (I& i : index)
+          i = L::select(good, i, L::set(0));
+      }
+      state.counts.rejected += real - static_cast<size_t>(__builtin_popcount(wanted));
+      if (wanted != 0U) eight(job, index, wanted, first, state);
     }
-    return counts;
+    bounds(state.least_columns, state.greatest_columns, state.counts.first_tile_column, state.counts.last_tile_column);
+    bounds(state.least_rows, state.greatest_rows, state.counts.first_tile_row, state.counts.last_tile_row);
+    return state.counts;
   }
 };
 

@@ -74,7 +74,7 @@ struct VertexStage {
   }
 
   static void eight(const VertexJob& job, const float* positions, const float* normals, const uint32_t* colours,
-                    ScreenVertex* out) {
+                    ScreenPoint* points, ScreenValues* values) {
     const Viewport& view = *job.viewport;
     F px, py, pz;
     L::load_triples(positions, px, py, pz);
@@ -110,7 +110,7 @@ struct VertexStage {
     const F screen_x = ((from_centre_x + rounder) - rounder) + L::set(view.half_x);
     const F screen_y = ((rounder - from_centre_y) - rounder) + L::set(view.half_y);
 
-    F level[3] = {zero, zero, zero};
+    I level[3] = {L::set(0), L::set(0), L::set(0)};
     if (normals != nullptr) {
       F nx, ny, nz;
       world_normals(job, normals, nx, ny, nz, good);
@@ -121,11 +121,12 @@ struct VertexStage {
       for (int c = 0; c < 3; ++c) {
         const F ambient = L::set(lights.ambient_middle[c]) + ny * L::set(lights.ambient_swing[c]);
         const F light = (ambient + key * L::set(lights.key_colour[c])) + fill * L::set(lights.fill_colour[c]);
-        level[c] = encode(light * albedo(colour, c));
+        level[c] = L::round(encode(light * albedo(colour, c)) * L::set(kLevelScale));
       }
     }
-    L::scatter_octets(&out->x, L::select(good, screen_x, L::set(kOutside)), screen_y, depth, inverse_w, level[0],
-                      level[1], level[2], zero);
+    L::scatter_pairs(&points->x, L::select(good, screen_x, L::set(kOutside)), screen_y);
+    L::scatter_quads(&values->depth, depth, inverse_w, L::from_bits(L::pair(level[2], level[1])),
+                     L::from_bits(level[0]));
   }
 
   static uint32_t word(const uint8_t* bytes) {
@@ -137,16 +138,19 @@ struct VertexStage {
     float positions[24] = {};
     float normals[24] = {};
     uint32_t colours[8] = {};
-    ScreenVertex out[8];
+    ScreenPoint points[8];
+    ScreenValues values[8];
     for (size_t i = 0; i < 3 * count; ++i) {
       positions[i] = job.positions[3 * first + i];
       normals[i] = job.normals != nullptr ? job.normals[3 * first + i] : 0.0F;
     }
     for (size_t i = 0; i < count; ++i)
       colours[i] = word(job.colours + 4 * (first + i));
-    eight(job, positions, job.normals != nullptr ? normals : nullptr, colours, out);
-    for (size_t i = 0; i < count; ++i)
-      job.out[first + i] = out[i];
+    eight(job, positions, job.normals != nullptr ? normals : nullptr, colours, points, values);
+    for (size_t i = 0; i < count; ++i) {
+      job.points[first + i] = points[i];
+      job.values[first + i] = values[i];
+    }
   }
 
   static void run(const VertexJob& job) {
@@ -158,7 +162,8 @@ struct VertexStage {
         for (size_t k = 0; k < 8; ++k)
           colours[k] = word(job.colours + 4 * (i + k));
       }
-      eight(job, job.positions + 3 * i, job.normals != nullptr ? job.normals + 3 * i : nullptr, colours, job.out + i);
+      eight(job, job.positions + 3 * i, job.normals != nullptr ? job.normals + 3 * i : nullptr, colours, job.points + i,
+            job.values + i);
     }
     if (i < job.end) rest(job, i, job.end - i);
   }
