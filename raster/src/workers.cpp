@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "workers.h"
 
+#include <system_error>
+
 namespace auslan::raster {
 namespace {
 
@@ -33,8 +35,12 @@ void relax() {
 
 Workers::Workers(int count) {
   threads_.reserve(static_cast<size_t>(count - 1));
-  for (int worker = 1; worker < count; ++worker)
-    threads_.emplace_back([this, worker] { serve(worker); });
+  try {
+    for (int worker = 1; worker < count; ++worker)
+      threads_.emplace_back([this, worker] { serve(worker); });
+  } catch (const std::system_error&) {
+    // The system gives no more threads: those that run share the work.
+  }
 }
 
 Workers::~Workers() {

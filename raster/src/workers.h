@@ -12,7 +12,7 @@ namespace auslan::raster {
 
 class Workers {
  public:
-  /// Starts count - 1 threads; the caller of `share` is the last one.
+  /// Starts count - 1 threads, or as many as the system allows; the caller of `share` is one more.
   explicit Workers(int count);
   ~Workers();
   Workers(const Workers&) = delete;
