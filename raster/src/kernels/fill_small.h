@@ -122,8 +122,7 @@ struct FillSmall {
     void fill_samples(const I (&at)[3], F centre_depth, size_t block, float* depth_of_0, uint32_t* pixels_of_0) const {
       const F least = L::spread(&g.depth_least[k]);
       const F greatest = L::spread(&g.depth_greatest[k]);
-      I shade{};
-      bool shaded = false;
+      const I shade = colour_at(block);
       for (size_t s = 0; s < kSamples; ++s) {
         const I outside = (at[0] + L::spread(&g.below[s][0][k])) | (at[1] + L::spread(&g.below[s][1][k])) |
                           (at[2] + L::spread(&g.below[s][2][k]));
@@ -131,9 +130,6 @@ struct FillSmall {
         float* sample_depth = depth_of_0 + s * kTileStride;
         const F stored = L::load_2x4(sample_depth, kRowWords);
         const I visible = L::and_not(L::sign_mask(outside), L::greater(z, stored));
-        if (L::signs(visible) == 0U) continue;
-        if (!shaded) shade = colour_at(block);
-        shaded = true;
         L::store_2x4(sample_depth, kRowWords, L::select(visible, z, stored));
         uint32_t* sample_pixels = pixels_of_0 + s * kTileStride;
         L::store_2x4(sample_pixels, kRowWords, L::select(visible, shade, L::load_2x4(sample_pixels, kRowWords)));
