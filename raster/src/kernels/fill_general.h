@@ -75,6 +75,21 @@ struct FillGeneral {
     return static_cast<float>(pixel * kSubPixels + kSubPixels / 2 - corner);
   }
 
+  // The same of eight pixels from `pixel` on, across or down.
+  static F eight_from(int32_t pixel, int32_t corner) {
+    return L::set(centre_from(pixel, corner)) + lane_steps(static_cast<float>(kSubPixels));
+  }
+
+  // Depth at a sample is its row's number of these plus its column's.
+  static void store_row_depths(const Plane& plane, F dy, float (&out)[kSamples][kCellSize]) {
+    for (size_t s = 0; s < kSamples; ++s) {
+      L::store(out[s], L::set(plane.origin) + (dy + L::set(static_cast<float>(Pattern::kY[s]))) * L::set(plane.per_y));
+    }
+  }
+  static F depth_across(const Plane& plane, F dx, size_t sample) {
+    return (dx + L::set(static_cast<float>(Pattern::kX[sample]))) * L::set(plane.per_x);
+  }
+
   static float held(float value, const Plane& plane) {
     const float above = value > plane.least ? value : plane.least;
     return above < plane.greatest ? above : plane.greatest;
@@ -247,16 +262,13 @@ struct FillGeneral {
     const Plane plane = t.depth;
     const int32_t column = cell * kCellSize;
     const int32_t first_row = cell_row * kCellSize;
-    const F steps = lane_steps(static_cast<float>(kSubPixels));
-    const F dx = L::set(centre_from(job.x + column, t.x[0])) + steps;
-    const F dy = L::set(centre_from(job.y + first_row, t.y[0])) + steps;
+    const F dx = eight_from(job.x + column, t.x[0]);
+    const F dy = eight_from(job.y + first_row, t.y[0]);
     F across[kSamples];
     alignas(32) float row_depths[kSamples][kCellSize];
-    for (size_t s = 0; s < kSamples; ++s) {
-      across[s] = (dx + L::set(static_cast<float>(Pattern::kX[s]))) * L::set(plane.per_x);
-      L::store(row_depths[s],
-               L::set(plane.origin) + (dy + L::set(static_cast<float>(Pattern::kY[s]))) * L::set(plane.per_y));
-    }
+    for (size_t s = 0; s < kSamples; ++s)
+      across[s] = depth_across(plane, dx, s);
+    store_row_depths(plane, dy, row_depths);
     const F least_before = L::spread(job.buffers.cell_least + cell_row * kCellsAcross + cell);
     const CellColours colours(t, job.x + column, job.y + first_row, dx, dy);
     I edge_row[3], edge_step[3];
@@ -303,20 +315,15 @@ struct FillGeneral {
                                  uint32_t promise) {
     const Plane plane = t.depth;
     const int32_t first_row = cell_row * kCellSize;
-    const F steps = lane_steps(static_cast<float>(kSubPixels));
-    const F dy = L::set(centre_from(job.y + first_row, t.y[0])) + steps;
     alignas(32) float row_depths[kSamples][kCellSize];
-    for (size_t s = 0; s < kSamples; ++s) {
-      L::store(row_depths[s],
-               L::set(plane.origin) + (dy + L::set(static_cast<float>(Pattern::kY[s]))) * L::set(plane.per_y));
-    }
+    store_row_depths(plane, eight_from(job.y + first_row, t.y[0]), row_depths);
     const I word = L::set(static_cast<int32_t>(promise));
     for (; cells != 0U; cells &= cells - 1U) {
       const int32_t column = __builtin_ctz(cells) * kCellSize;
-      const F dx = L::set(centre_from(job.x + column, t.x[0])) + steps;
+      const F dx = eight_from(job.x + column, t.x[0]);
       const size_t corner = static_cast<size_t>(first_row) * kRowWords + static_cast<size_t>(column);
       for (size_t s = 0; s < kSamples; ++s) {
-        const F across = (dx + L::set(static_cast<float>(Pattern::kX[s]))) * L::set(plane.per_x);
+        const F across = depth_across(plane, dx, s);
         float* depth = job.buffers.depth + corner + s * kTileStride;
         uint32_t* colour = job.buffers.colour + corner + s * kTileStride;
         for (size_t j = 0; j < kCellSize; ++j) {
@@ -335,16 +342,13 @@ struct FillGeneral {
     const Plane plane = t.depth;
     const int32_t column = cell * kCellSize;
     const int32_t first_row = cell_row * kCellSize;
-    const F steps = lane_steps(static_cast<float>(kSubPixels));
-    const F dx = L::set(centre_from(job.x + column, t.x[0])) + steps;
-    const F dy = L::set(centre_from(job.y + first_row, t.y[0])) + steps;
+    const F dx = eight_from(job.x + column, t.x[0]);
+    const F dy = eight_from(job.y + first_row, t.y[0]);
     F across[kSamples];
     alignas(32) float row_depths[kSamples][kCellSize];
-    for (size_t s = 0; s < kSamples; ++s) {
-      across[s] = (dx + L::set(static_cast<float>(Pattern::kX[s]))) * L::set(plane.per_x);
-      L::store(row_depths[s],
-               L::set(plane.origin) + (dy + L::set(static_cast<float>(Pattern::kY[s]))) * L::set(plane.per_y));
-    }
+    for (size_t s = 0; s < kSamples; ++s)
+      across[s] = depth_across(plane, dx, s);
+    store_row_depths(plane, dy, row_depths);
     const F least = L::set(plane.least);
     const F greatest = L::set(plane.greatest);
     const I word = L::set(static_cast<int32_t>(promise));
