@@ -82,11 +82,15 @@ void Bins::sort(const KernelTable& kernel, const RecordedDraw& draw, Piece& piec
   job.reach = sorting.reach;
   job.tails = draw.shading == Shading::kGouraud ? lists.tail.data() : nullptr;
   job.tiles_across = tiles_across;
-  job.hand_over.take = [](void* context, const Survivor& survivor) {
+  job.sink.take = [](void* context, const Survivor& survivor) {
     auto& own = *static_cast<Sorting*>(context);
     own.bins.take(own, survivor);
   };
-  job.hand_over.context = &sorting;
+  job.sink.extend = [](void* context, size_t tile) {
+    const auto& own = *static_cast<Sorting*>(context);
+    return own.bins.extend(own.lists, tile);
+  };
+  job.sink.context = &sorting;
   piece.stats = DrawStats{};
   piece.tiles = TileRect{};
   piece.stats.submitted = piece.end - piece.begin;
@@ -220,25 +224,26 @@ void Bins::append(Sorting& sorting, const uint32_t (&corner)[3], uint32_t colour
   }
 }
 
-inline void Bins::append_to(Sorting& sorting, size_t tile, const uint32_t (&corner)[3], uint32_t colour) {
-  EntryBlock*& tail = sorting.lists.tail[tile];
-  if (tail == nullptr || tail->count == EntryBlock::kCapacity) {
-    EntryBlock* block = new_block();
-    (tail == nullptr ? sorting.lists.head[tile] : tail->next) = block;
-    tail = block;
-  }
+void Bins::append_to(Sorting& sorting, size_t tile, const uint32_t (&corner)[3], uint32_t colour) {
+  EntryBlock* tail = sorting.lists.tail[tile];
+  if (tail == nullptr || tail->count == EntryBlock::kCapacity) tail = extend(sorting.lists, tile);
   const uint32_t i = tail->count++;
   for (size_t c = 0; c < 3; ++c)
     tail->corner[c][i] = corner[c];
   tail->colour[i] = colour;
 }
 
-EntryBlock* Bins::new_block() {
+// Gives a tile's list a block more.
+EntryBlock* Bins::extend(const TileLists& lists, size_t tile) {
   const size_t page = blocks_ / kPage;
   if (page == pages_.size()) pages_.push_back(std::make_unique_for_overwrite<EntryBlock[]>(kPage));
   EntryBlock* block = &pages_[page][blocks_ % kPage];
   ++blocks_;
   *block = EntryBlock{};  // places that stay empty name a vertex that there is
+  std::fill_n(block->colour, EntryBlock::kCapacity, kGouraudColour);
+  EntryBlock*& tail = lists.tail[tile];
+  (tail == nullptr ? lists.head[tile] : tail->next) = block;
+  tail = block;
   return block;
 }
 

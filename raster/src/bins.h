@@ -92,7 +92,7 @@ class Bins {
   void append(Sorting& sorting, const uint32_t (&corner)[3], uint32_t colour, uint32_t tile_columns,
               uint32_t tile_rows);
   void append_to(Sorting& sorting, size_t tile, const uint32_t (&corner)[3], uint32_t colour);
-  EntryBlock* new_block();
+  EntryBlock* extend(const TileLists& lists, size_t tile);
 
   uint32_t number_;
   std::vector<GeneralTriangle> general_;

@@ -31,7 +31,7 @@ struct LaneResult {
 };
 
 struct LaneResults {
-  static constexpr size_t kMost = 128;
+  static constexpr size_t kMost = 256;
   LaneResult results[kMost];
   size_t count;
 };
@@ -54,11 +54,14 @@ struct LaneOperations {
     L::store(next(operation, kind), L::bits(value));
   }
   void keep(const char* operation, const I& value) { L::store(next(operation, LaneKind::kBits), value); }
-  // Sixteen bits leave Q byte by byte: the upper one, and the lower one when it has been moved up.
+  // Sixteen bits leave Q byte by byte: the upper one, and the lower one when it has been moved up; negative ones when
+  // their sign has been turned round.
   void keep(const char* operation, const Q& value) {
-    const int16_t up[4] = {256, 256, 256, 256};
-    L::store(next(operation, LaneKind::kBits), L::template bytes<8>(value));
-    L::store(next(operation, LaneKind::kBits), L::template bytes<8>(value * L::quads(up)));
+    const Q up = value * L::repeat(256);
+    const Q turn = L::repeat(-32768);
+    const Q shown[4] = {value, value + turn, up, up + turn};
+    for (const Q& bits : shown)
+      L::store(next(operation, LaneKind::kBits), L::template bytes<8>(bits));
   }
   // A mask may be looked into by select and signs only.
   void keep_mask(const char* operation, const I& mask, const LaneInput& in) {
@@ -125,6 +128,9 @@ struct LaneOperations {
     keep_mask("greater I", L::greater(x, y), in);
     keep_mask("equal", L::equal(x, y), in);
     keep_mask("sign_mask", L::sign_mask(x), in);
+    F stored = L::max(a, L::set(0.0F));
+    keep_mask("keep_greater", L::keep_greater(x, b, stored), in);
+    keep("keep_greater", stored);
     keep_mask("mask & mask", L::greater(a, b) & L::sign_mask(z), in);
     keep_mask("mask | mask", L::equal(x, y) | L::sign_mask(z), in);
     keep_mask("mask ^ mask", L::greater(x, y) ^ L::sign_mask(z), in);
@@ -136,6 +142,7 @@ struct LaneOperations {
     const Q q = L::load_quads(in.q);
     keep("load_quads", p);
     keep("quads", L::quads(in.q));
+    keep("repeat", L::repeat(in.q[0]));
     keep("Q + Q", p + q);
     keep("Q * Q", p * q);
     keep("min Q", L::min(p, q));

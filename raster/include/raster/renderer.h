@@ -9,9 +9,9 @@
 // three vertices). A pixel is the root mean square of its samples' sRGB levels, per channel, rounded to nearest, a half
 // up: an average of light with a display's gamma taken as 2 (README). Colour: lit per vertex (Gouraud) or per face
 // (flat) in linear light, encoded to sRGB levels, and interpolated in the ENCODED space; in perspective wherever the
-// affine shortcut could be off by more than 1/4 of a level; with triangles below 64 pixels fixed-point gradients (1/128
-// of a level a pixel) can add another 1/4 in x and in y. Depth: reversed (camera.h), nearer wins, at equal depth the
-// triangle drawn first stays.
+// affine shortcut could be off by more than 1/4 of a level; with triangles below 120 pixels fixed-point gradients
+// (1/128 of a level a pixel, counted from the middle) can add another 1/4 in x and in y. Depth: reversed (camera.h),
+// nearer wins, at equal depth the triangle drawn first stays.
 //
 // Every kernel (kernel.h) and every number of threads gives the same bytes, under the processor's default
 // floating-point modes (round to nearest, no flushing of denormal numbers).

@@ -29,7 +29,7 @@ inline constexpr int kCells = kCellsAcross * kCellsDown;
 
 /// A triangle that spans less than this in x and in y takes the short path: its edge functions fit 32 bits wherever
 /// they are asked for, differences of its coordinates 16.
-inline constexpr int kSmallExtent = 64 * kSubPixels;
+inline constexpr int kSmallExtent = 120 * kSubPixels;
 
 /// Where a vertex lies on the screen: whole sub-pixels from the top-left corner of the frame, y down. x is kOutside for
 /// a vertex that has no place there (behind the near plane, beyond the guard band, not finite).
@@ -112,14 +112,18 @@ inline constexpr uint32_t kScratchTriangle = 0xFFFFFFFFU;  ///< the tile's own
 struct EntryBlock {
   static constexpr uint32_t kCapacity = 16;
   uint32_t corner[3][kCapacity];  ///< of small triangles; of others any vertex
-  uint32_t colour[kCapacity];     ///< 0x00RRGGBB, or kGouraudColour, or kGeneralTriangle with bin and place
+  uint32_t colour[kCapacity];     ///< 0x00RRGGBB, or kGouraudColour, or kGeneralTriangle with bin and place; places
+                                  ///< that are still empty hold kGouraudColour
   EntryBlock* next;
   uint32_t count;
 };
 
-/// Takes a triangle that the stage does not append to a tile's list by itself.
-struct HandOver {
+/// What the triangle stage asks for.
+struct TriangleSink {
+  /// Takes a triangle that the stage does not append to the lists by itself.
   void (*take)(void* context, const Survivor& survivor);
+  /// A tile's list has no room left: gives it a block more, which is then its tail.
+  EntryBlock* (*extend)(void* context, size_t tile);
   void* context;
 };
 
@@ -131,11 +135,11 @@ struct TriangleJob {
   bool mirrored, two_sided;
   int width, height;
   int32_t reach;  ///< how far the farthest sample lies from its pixel's centre in x or y, sub-pixels
-  /// Small triangles of one tile go straight to its last block, with kGouraudColour, where that has room; all others
-  /// are handed over, in between and in order. Null: all are handed over.
+  /// Small triangles go straight to the last blocks of their tiles, with kGouraudColour; all others are handed over, in
+  /// between and in order. Null: all are handed over.
   EntryBlock** tails;
   int tiles_across;
-  HandOver hand_over;
+  TriangleSink sink;
 };
 /// Of a run of the stage.
 struct TriangleCounts {

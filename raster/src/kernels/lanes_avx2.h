@@ -89,6 +89,12 @@ struct Avx2 {
   static I max16(I a, I b) { return {_mm256_max_epi16(a.v, b.v)}; }
   static I subtract16(I a, I b) { return {_mm256_sub_epi16(a.v, b.v)}; }
 
+  static I keep_greater(I outside, F z, F& stored) {
+    const I visible = and_not(outside, greater(z, stored));
+    stored = select(visible, z, stored);
+    return visible;
+  }
+
   static F load_2x4(const float* p, size_t stride) {
     return {_mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(p)), _mm_loadu_ps(p + stride), 1)};
   }
@@ -110,6 +116,10 @@ struct Avx2 {
     const __m256i four = _mm256_broadcastq_epi64(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(p)));
     return {four, four};
   }
+  static Q repeat(int16_t x) {
+    const __m256i all = _mm256_set1_epi16(x);
+    return {all, all};
+  }
   static Q load_quads(const int16_t* p) {
     return {_mm256_loadu_si256(reinterpret_cast<const __m256i*>(p)),
             _mm256_loadu_si256(reinterpret_cast<const __m256i*>(p + 16))};
@@ -119,8 +129,8 @@ struct Avx2 {
   template <int kBits>
   static I bytes(Q a) {
     // Packing works within halves: lanes 0 1 4 5 | 2 3 6 7.
-    const __m256i packed = _mm256_packs_epi16(_mm256_srai_epi16(a.l, kBits), _mm256_srai_epi16(a.h, kBits));
-    return {_mm256_xor_si256(_mm256_permute4x64_epi64(packed, 0xD8), _mm256_set1_epi8(-128))};
+    const __m256i packed = _mm256_packus_epi16(_mm256_srai_epi16(a.l, kBits), _mm256_srai_epi16(a.h, kBits));
+    return {_mm256_permute4x64_epi64(packed, 0xD8)};
   }
 
   // In each half: the 4x4 transpose of four rows.

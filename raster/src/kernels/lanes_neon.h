@@ -103,6 +103,12 @@ struct Neon {
   static I max16(I a, I b) { return {halves_max(a.l, b.l), halves_max(a.h, b.h)}; }
   static I subtract16(I a, I b) { return {halves_subtract(a.l, b.l), halves_subtract(a.h, b.h)}; }
 
+  static I keep_greater(I outside, F z, F& stored) {
+    const I visible = and_not(sign_mask(outside), greater(z, stored));
+    stored = select(visible, z, stored);
+    return visible;
+  }
+
   static F load_2x4(const float* p, size_t stride) { return {vld1q_f32(p), vld1q_f32(p + stride)}; }
   static I load_2x4(const uint32_t* p, size_t stride) { return lanes_of(vld1q_u32(p), vld1q_u32(p + stride)); }
   static void store_2x4(float* p, size_t stride, F a) {
@@ -119,6 +125,10 @@ struct Neon {
     const int16x8_t twice = vcombine_s16(four, four);
     return {{twice, twice, twice, twice}};
   }
+  static Q repeat(int16_t x) {
+    const int16x8_t all = vdupq_n_s16(x);
+    return {{all, all, all, all}};
+  }
   static Q load_quads(const int16_t* p) {
     return {{vld1q_s16(p), vld1q_s16(p + 8), vld1q_s16(p + 16), vld1q_s16(p + 24)}};
   }
@@ -133,10 +143,10 @@ struct Neon {
   template <int kBits>
   static I bytes(const Q& a) {
     const auto packed = [](int16x8_t low, int16x8_t high) {
-      const int8x16_t both = vcombine_s8(vqmovn_s16(vshrq_n_s16(low, kBits)), vqmovn_s16(vshrq_n_s16(high, kBits)));
-      return vreinterpretq_s32_s8(both);
+      const uint8x16_t both = vcombine_u8(vqmovun_s16(vshrq_n_s16(low, kBits)), vqmovun_s16(vshrq_n_s16(high, kBits)));
+      return vreinterpretq_s32_u8(both);
     };
-    return I{packed(a.v[0], a.v[1]), packed(a.v[2], a.v[3])} ^ set(static_cast<int32_t>(0x80808080U));
+    return {packed(a.v[0], a.v[1]), packed(a.v[2], a.v[3])};
   }
 
   static void gather_quads(const float* base, const uint32_t* number, size_t stride, F& a, F& b, F& c, F& d) {

@@ -254,6 +254,14 @@ struct Scalar {
     return I::map(a, b, [](uint32_t x, uint32_t y) { return join(x - y, (x >> 16U) - (y >> 16U)); });
   }
 
+  /// Where the sign of `outside` is clear and z is greater than `stored`, which must not be negative, `stored` becomes
+  /// z. Returns where.
+  static I keep_greater(const I& outside, const F& z, F& stored) {
+    const I visible = and_not(sign_mask(outside), greater(z, stored));
+    stored = select(visible, z, stored);
+    return visible;
+  }
+
   /// Lanes 0-3 from p, lanes 4-7 from p + stride.
   static F load_2x4(const float* p, size_t stride) {
     F r;
@@ -291,6 +299,13 @@ struct Scalar {
       r.v[i] = static_cast<uint16_t>(p[i % 4]);
     return r;
   }
+  /// One number, thirty-two times.
+  static Q repeat(int16_t x) {
+    Q r;
+    for (uint16_t& v : r.v)
+      v = static_cast<uint16_t>(x);
+    return r;
+  }
   /// Thirty-two numbers, lane by lane.
   static Q load_quads(const int16_t* p) {
     Q r;
@@ -304,15 +319,15 @@ struct Scalar {
   static Q max(const Q& a, const Q& b) {
     return Q::map(a, b, [](uint32_t x, uint32_t y) { return signed16(x) > signed16(y) ? x : y; });
   }
-  /// Each lane's four numbers, shifted right (rounding down), held within -128 to 127, plus 128, as the bytes of a word
-  /// from the lowest up.
+  /// Each lane's four numbers, shifted right (rounding down), held within 0 to 255, as the bytes of a word from the
+  /// lowest up.
   template <int kBits>
   static I bytes(const Q& a) {
     I r;
     for (size_t i = 0; i < kLanes; ++i) {
       r.v[i] = 0;
       for (size_t c = 0; c < 4; ++c) {
-        const int32_t level = (signed16(a.v[4 * i + c]) >> kBits) + 128;
+        const int32_t level = signed16(a.v[4 * i + c]) >> kBits;
         r.v[i] |= static_cast<uint32_t>(level < 0 ? 0 : level > 255 ? 255 : level) << (8 * c);
       }
     }

@@ -97,6 +97,14 @@ struct Sse2 {
   static I max16(I a, I b) { return {_mm_max_epi16(a.l, b.l), _mm_max_epi16(a.h, b.h)}; }
   static I subtract16(I a, I b) { return {_mm_sub_epi16(a.l, b.l), _mm_sub_epi16(a.h, b.h)}; }
 
+  static I keep_greater(I outside, F z, F& stored) {
+    const I mask = sign_mask(outside);
+    const F inside = {_mm_andnot_ps(_mm_castsi128_ps(mask.l), z.l), _mm_andnot_ps(_mm_castsi128_ps(mask.h), z.h)};
+    const I visible = greater(inside, stored);
+    stored = max(inside, stored);
+    return visible;
+  }
+
   static F load_2x4(const float* p, size_t stride) { return {_mm_loadu_ps(p), _mm_loadu_ps(p + stride)}; }
   static I load_2x4(const uint32_t* p, size_t stride) { return {load4(p), load4(p + stride)}; }
   static void store_2x4(float* p, size_t stride, F a) {
@@ -113,6 +121,10 @@ struct Sse2 {
     const __m128i twice = _mm_unpacklo_epi64(four, four);
     return {{twice, twice, twice, twice}};
   }
+  static Q repeat(int16_t x) {
+    const __m128i all = _mm_set1_epi16(x);
+    return {{all, all, all, all}};
+  }
   static Q load_quads(const int16_t* p) { return {{load4(p), load4(p + 8), load4(p + 16), load4(p + 24)}}; }
   static Q min(const Q& a, const Q& b) {
     return {{_mm_min_epi16(a.v[0], b.v[0]), _mm_min_epi16(a.v[1], b.v[1]), _mm_min_epi16(a.v[2], b.v[2]),
@@ -124,9 +136,9 @@ struct Sse2 {
   }
   template <int kBits>
   static I bytes(const Q& a) {
-    const __m128i low = _mm_packs_epi16(_mm_srai_epi16(a.v[0], kBits), _mm_srai_epi16(a.v[1], kBits));
-    const __m128i high = _mm_packs_epi16(_mm_srai_epi16(a.v[2], kBits), _mm_srai_epi16(a.v[3], kBits));
-    return I{low, high} ^ set(static_cast<int32_t>(0x80808080U));
+    const __m128i low = _mm_packus_epi16(_mm_srai_epi16(a.v[0], kBits), _mm_srai_epi16(a.v[1], kBits));
+    const __m128i high = _mm_packus_epi16(_mm_srai_epi16(a.v[2], kBits), _mm_srai_epi16(a.v[3], kBits));
+    return {low, high};
   }
 
   static void gather_quads(const float* base, const uint32_t* number, size_t stride, F& a, F& b, F& c, F& d) {

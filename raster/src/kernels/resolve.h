@@ -157,7 +157,22 @@ struct Resolve {
     return average(samples);
   }
 
-  static void run(const TileJob& job) {
+  // A tile without promises, with one sample.
+  static void copy(const TileJob& job) {
+    uint32_t* pixels = job.pixels;
+    const uint32_t* words = job.buffers.colour;
+    for (int32_t row = 0; row < job.height; ++row, pixels += job.pixel_stride, words += kRowWords) {
+      int32_t column = 0;
+      for (; column + 8 <= job.width; column += 8)
+        L::store(pixels + column, L::load(words + column));
+      for (; column < job.width; ++column)
+        pixels[column] = words[column];
+    }
+  }
+
+  /// `promised`: whether there may be promises.
+  static void run(const TileJob& job, bool promised_any) {
+    if (kSamples == 1 && !promised_any) return copy(job);
     uint32_t* pixels = job.pixels;
     const uint32_t* words = job.buffers.colour;
     for (int32_t row = 0; row < job.height; ++row, pixels += job.pixel_stride, words += kRowWords) {

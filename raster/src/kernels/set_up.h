@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Set-up of eight small triangles of a tile at once: edge functions (Pineda 1988), depth plane, colours. Everything is
-// counted from the anchor, the first pixel of a triangle's box, wherever that lies: no tile's edge can change a bit.
+// Set-up of eight small triangles of a tile at once: edge functions (Pineda 1988), depth plane, colours. What is
+// rounded is counted from the anchor, the first pixel of a triangle's box, wherever that lies: no tile's edge can
+// change a bit.
 #pragma once
 
 #include "kernel.h"
@@ -9,24 +10,27 @@ namespace auslan::raster {
 
 template <size_t kSamples>
 struct SmallGroup {
-  int32_t column[8], row[8];             ///< of the anchor from the tile's first pixel; may be negative
-  int32_t first_block[8], end_block[8];  ///< blocks of 4 pixels across that touch the tile
-  int32_t first_pair[8], end_pair[8];    ///< pairs of rows that touch the tile
-  // Edge functions in whole pixels: the value at pixel (i, j) from the anchor is start + i * a + j * b, inside where it
+  // The part of the box that lies in the tile. Its first pixel is the corner: edges and colours, which are whole
+  // numbers, start there without a change; depth is counted from the anchor, the first pixel of the whole box.
+  int32_t column[8], row[8];  ///< of the corner from the tile's first pixel
+  int32_t width[8], height[8];
+  float across[8], down[8];  ///< pixels from the anchor to the corner
+  // Edge functions in whole pixels: the value at pixel (i, j) from the corner is start + i * a + j * b, inside where it
   // is not negative. `start` is the exact value in square sub-pixels, with the top-left rule, divided by 256 and
   // rounded down: as a step of one pixel is a multiple of 256, no sign is lost.
   int32_t ab[3][8];     ///< a in the low half, b in the high half
   int32_t start[3][8];  ///< the greatest of the samples' starts
-  /// Depth at pixel (i, j) is (depth + j * depth_y) + i * depth_x.
+  /// Depth at pixel (i, j) from the anchor is (depth + j * depth_y) + i * depth_x.
   float depth[8], depth_x[8], depth_y[8];
-  // Blue, green, red, and nothing (-128 levels): fixed-point numbers with kLevelBits fraction bits, less 128 levels,
-  // plus half a level. They wrap at 16 bits: what is seen lies within 128 levels of the range from -128 to 127, so
-  // wrapping loses nothing.
+  // Blue, green, red, and nothing: fixed-point numbers with kLevelBits fraction bits, plus half a level, less kLess.
+  // They wrap at 16 bits. With one sample what is seen lies between 0 and 255 levels and is off by less than half a
+  // level, so it fits. With several a pixel's centre may lie beside the triangle; less 128 levels there is as much room
+  // below as above.
+  static constexpr int32_t kLess = kSamples == 1 ? 0 : 128 << kLevelBits;
   int16_t colour[8][4], colour_x[8][4], colour_y[8][4];
 
   // Used with several samples only, where a pixel's centre may lie beside the triangle.
-  int32_t below[kSamples][3][8];  ///< a sample's start less the greatest
-  float depth_least[8], depth_greatest[8];
+  int32_t below[kSamples][3][8];    ///< a sample's start less the greatest
   float sample_depth[kSamples][8];  ///< a sample's depth less its pixel centre's
   int16_t colour_least[8][4], colour_greatest[8][4];
 };
@@ -43,8 +47,8 @@ struct SetUp {
   static F gradient(F d1, F d2, F k1, F k2) { return d1 * k2 - d2 * k1; }
   static I low_half(I words) { return words & L::set(int32_t{0xFFFF}); }
   static I high_half(I words) { return L::template shift_right<16>(words); }
-  // Half a level for rounding, less 128 levels.
-  static constexpr int32_t kColourBias = (1 << (kLevelBits - 1)) - (128 << kLevelBits);
+  // Half a level for rounding, and what colours are less by.
+  static constexpr int32_t kColourBias = (1 << (kLevelBits - 1)) - SmallGroup<kSamples>::kLess;
 
   /// Returns the lanes that must take the long path: slivers, whose gradients need more than single precision, and
   /// triangles whose colours must follow the perspective.
@@ -73,19 +77,21 @@ struct SetUp {
     const I last_column = L::template shift_right<kSubPixelBits>(L::truncate(right) + behind);
     const I last_row = L::template shift_right<kSubPixelBits>(L::truncate(bottom) + behind);
     const I zero = L::set(0);
-    const I in_tile_column = column - L::set(job.x);
-    const I in_tile_row = row - L::set(job.y);
-    L::store(out.column, in_tile_column);
-    L::store(out.row, in_tile_row);
-    L::store(out.first_block, L::template shift_right<2>(L::max(zero - in_tile_column, zero)));
-    L::store(out.first_pair, L::template shift_right<1>(L::max(zero - in_tile_row, zero)));
-    L::store(out.end_block,
-             L::template shift_right<2>(L::min(last_column, L::set(job.x + job.width - 1)) - column) + L::set(1));
-    L::store(out.end_pair,
-             L::template shift_right<1>(L::min(last_row, L::set(job.y + job.height - 1)) - row) + L::set(1));
+    const I left_out = L::max(L::set(job.x) - column, zero);
+    const I above = L::max(L::set(job.y) - row, zero);
+    const I corner_column = column + left_out;
+    const I corner_row = row + above;
+    L::store(out.column, corner_column - L::set(job.x));
+    L::store(out.row, corner_row - L::set(job.y));
+    L::store(out.width, L::min(last_column, L::set(job.x + job.width - 1)) - corner_column + L::set(1));
+    L::store(out.height, L::min(last_row, L::set(job.y + job.height - 1)) - corner_row + L::set(1));
+    L::store(out.across, L::to_float(left_out));
+    L::store(out.down, L::to_float(above));
     const I half = L::set(kSubPixels / 2);
-    const I centre_x = L::template shift_left<kSubPixelBits>(column) + half;
-    const I centre_y = L::template shift_left<kSubPixelBits>(row) + half;
+    const I anchor_x = L::template shift_left<kSubPixelBits>(column) + half;
+    const I anchor_y = L::template shift_left<kSubPixelBits>(row) + half;
+    const I corner_x = L::template shift_left<kSubPixelBits>(corner_column) + half;
+    const I corner_y = L::template shift_left<kSubPixelBits>(corner_row) + half;
 
     // Edges from each corner to the next. Clockwise with y down: a left edge runs up, a top edge is level, to the
     // right.
@@ -103,7 +109,7 @@ struct SetUp {
       L::store(out.ab[e], ab[e]);
       // Top or left where rise > 0, or rise == 0 and dx > 0: |dx| is below 2^15. Else one less.
       const I bias = L::greater(L::set(1), L::template shift_left<15>(rise) + dx);
-      const I value = L::dot(ab[e], L::pair(centre_x - whole_x[e], centre_y - whole_y[e])) + bias;
+      const I value = L::dot(ab[e], L::pair(corner_x - whole_x[e], corner_y - whole_y[e])) + bias;
       if constexpr (kSamples == 1) {
         L::store(out.start[e], L::template shift_right<kSubPixelBits>(value));
       } else {
@@ -130,8 +136,8 @@ struct SetUp {
     const F x2 = (x[2] - x[0]) * scale;
     const F y2 = (y[2] - y[0]) * scale;
     const F pixel = L::set(1.0F / static_cast<float>(kSubPixels));
-    const F dx = (L::to_float(centre_x) - x[0]) * pixel;
-    const F dy = (L::to_float(centre_y) - y[0]) * pixel;
+    const F dx = (L::to_float(anchor_x) - x[0]) * pixel;
+    const F dy = (L::to_float(anchor_y) - y[0]) * pixel;
     const F depth_1 = depth[1] - depth[0];
     const F depth_2 = depth[2] - depth[0];
     const F depth_x = gradient(depth_1, depth_2, y1, y2);
@@ -139,6 +145,12 @@ struct SetUp {
     L::store(out.depth, (depth[0] + dy * depth_y) + dx * depth_x);
     L::store(out.depth_x, depth_x);
     L::store(out.depth_y, depth_y);
+    // Colours are rounded in the middle of the box, so that what the rounded gradients are off adds up over half of it.
+    const I middle_x = L::template shift_right<1>(last_column - column);
+    const I middle_y = L::template shift_right<1>(last_row - row);
+    const F middle_dx = dx + L::to_float(middle_x);
+    const F middle_dy = dy + L::to_float(middle_y);
+    const I from_middle = L::pair(left_out - middle_x, above - middle_y);
     I start[3], per_x[3], per_y[3];
     for (size_t c = 0; c < 3; ++c) {
       const auto channel = [&](size_t corner) {
@@ -149,11 +161,12 @@ struct SetUp {
       const F d2 = L::to_float(channel(2) - level);
       const F gradient_x = gradient(d1, d2, y1, y2);
       const F gradient_y = gradient(d2, d1, x2, x1);
-      start[c] = L::round((L::to_float(level) + dy * gradient_y) + dx * gradient_x) + L::set(kColourBias);
+      const F middle = (L::to_float(level) + middle_dy * gradient_y) + middle_dx * gradient_x;
       per_x[c] = L::round(gradient_x);
       per_y[c] = L::round(gradient_y);
+      start[c] = (L::round(middle) + L::set(kColourBias)) + L::dot(L::pair(per_x[c], per_y[c]), from_middle);
     }
-    store_quads(out.colour, L::pair(start[0], start[1]), L::pair(start[2], L::set(-(128 << kLevelBits))));
+    store_quads(out.colour, L::pair(start[0], start[1]), L::pair(start[2], L::set(-SmallGroup<kSamples>::kLess)));
     store_quads(out.colour_x, L::pair(per_x[0], per_x[1]), L::pair(per_x[2], zero));
     store_quads(out.colour_y, L::pair(per_y[0], per_y[1]), L::pair(per_y[2], zero));
 
@@ -161,7 +174,7 @@ struct SetUp {
                         L::min16(L::min16(red[0], red[1]), red[2])};
     const I greatest[2] = {L::max16(L::max16(blue_green[0], blue_green[1]), blue_green[2]),
                            L::max16(L::max16(red[0], red[1]), red[2])};
-    if constexpr (kSamples > 1) store_ranges(depth, depth_x, depth_y, least, greatest, out);
+    if constexpr (kSamples > 1) store_ranges(depth_x, depth_y, least, greatest, out);
 
     // Taking a colour that spreads over D levels as affine, with 1/w between q and Q, is off by at most
     // D * (sqrt(Q/q) - 1) / (sqrt(Q/q) + 1) < D * (Q - q) / (4 q) levels.
@@ -171,7 +184,7 @@ struct SetUp {
     const F near_w = L::max(L::max(w[0], w[1]), w[2]);
     const F far_w = L::min(L::min(w[0], w[1]), w[2]);
     const I perspective = L::greater(widest * (near_w - far_w), L::set(4.0F * kAffineError * kLevelScale) * far_w);
-    // With a height of 1/128 pixel and more, rounding is off by no more than 2^-11 of what depth spreads over.
+    // With a height of 1/128 pixel and more, rounding is off by no more than 2^-10 of what depth spreads over.
     const F span = L::max(right - left, bottom - top);
     const I sliver = L::greater(span + span, area);
     return L::signs(perspective | sliver);
@@ -179,10 +192,8 @@ struct SetUp {
 
   static void store_quads(int16_t (&out)[8][4], I blue_green, I red) { L::scatter_pairs(out[0], blue_green, red); }
 
-  static void store_ranges(const F (&depth)[3], F depth_x, F depth_y, const I (&least)[2], const I (&greatest)[2],
+  static void store_ranges(F depth_x, F depth_y, const I (&least)[2], const I (&greatest)[2],
                            SmallGroup<kSamples>& out) {
-    L::store(out.depth_least, L::min(L::min(depth[0], depth[1]), depth[2]));
-    L::store(out.depth_greatest, L::max(L::max(depth[0], depth[1]), depth[2]));
     for (size_t s = 0; s < kSamples; ++s) {
       constexpr float kPixel = 1.0F / static_cast<float>(kSubPixels);
       L::store(out.sample_depth[s], L::set(static_cast<float>(Pattern::kX[s]) * kPixel) * depth_x +

@@ -36,26 +36,36 @@ struct TileStage {
     set_cells(job.buffers.cell_greatest, 0.0F);
   }
 
+  struct State {
+    float depth = 0.0F;  ///< a lower bound of the tile's depth
+    bool promised = false;
+  };
+
   // Eight entries of a block, or as many as it has.
-  static void fill_eight(const TileJob& job, const EntryBlock& block, size_t first, float& tile_depth) {
+  static void fill_eight(const TileJob& job, const EntryBlock& block, size_t first, State& state) {
     const size_t count = block.count - first < 8 ? block.count - first : 8;
-    bool any_small = false;
-    for (size_t i = first; i < first + count; ++i)
-      any_small = any_small || (block.colour[i] & kGeneralTriangle) == 0U;
+    const uint32_t there = (1U << count) - 1U;
+    const uint32_t general = L::signs(L::load(block.colour + first)) & there;
     SmallGroup<kSamples> group;
-    uint32_t long_path = 0;
-    if (any_small) {
-      long_path = SetUp<L, kSamples>::run(job, block, first, group);
+    uint32_t with_care = 0;
+    if (general != there) {
+      with_care = SetUp<L, kSamples>::run(job, block, first, group) & there;
       // Small triangles do not keep the upper bounds up.
       set_cells(job.buffers.cell_greatest, 2.0F);
     }
+    if ((general | with_care) == 0U) {
+      for (size_t i = 0; i < count; ++i)
+        FillSmall<L, kSamples>::run(job.buffers, group, i, block.colour[first + i]);
+      return;
+    }
     for (size_t i = 0; i < count; ++i) {
       const uint32_t colour = block.colour[first + i];
-      if ((colour & kGeneralTriangle) != 0U) {
+      if ((general >> i & 1U) != 0U) {
         const GeneralTriangle& t = Resolve<L, kSamples>::promised(job, colour);
-        FillGeneral<L, kSamples>::run(job, t, t.colour != kGouraudColour ? t.colour : colour, tile_depth);
-      } else if ((long_path >> i & 1U) != 0U) {
-        fill_with_care(job, block, first + i, group, i, tile_depth);
+        FillGeneral<L, kSamples>::run(job, t, t.colour != kGouraudColour ? t.colour : colour, state.depth);
+        state.promised = true;
+      } else if ((with_care >> i & 1U) != 0U) {
+        fill_with_care(job, block, first + i, group, i, state.depth);
       } else {
         FillSmall<L, kSamples>::run(job.buffers, group, i, colour);
       }
@@ -72,8 +82,8 @@ struct TileStage {
     set_up_general(corner[0], corner[1], corner[2], block.colour[i], t);
     t.first_column = job.x + group.column[k];
     t.first_row = job.y + group.row[k];
-    t.last_column = t.first_column + 4 * group.end_block[k] - 1;
-    t.last_row = t.first_row + 2 * group.end_pair[k] - 1;
+    t.last_column = t.first_column + group.width[k] - 1;
+    t.last_row = t.first_row + group.height[k] - 1;
     const bool gouraud = block.colour[i] == kGouraudColour;
     FillGeneral<L, kSamples>::run(job, t, gouraud ? kScratchTriangle : block.colour[i], tile_depth);
     if (gouraud) Resolve<L, kSamples>::settle(job, t);
@@ -81,14 +91,14 @@ struct TileStage {
 
   static void run(const TileJob& job) {
     clear(job);
-    float tile_depth = 0.0F;
+    State state;
     for (size_t list = 0; list < job.list_count; ++list) {
       for (const EntryBlock* block = job.lists[list * job.list_stride]; block != nullptr; block = block->next) {
         for (size_t first = 0; first < block->count; first += 8)
-          fill_eight(job, *block, first, tile_depth);
+          fill_eight(job, *block, first, state);
       }
     }
-    Resolve<L, kSamples>::run(job);
+    Resolve<L, kSamples>::run(job, state.promised);
   }
 };
 

@@ -80,42 +80,53 @@ struct TriangleStage {
     state.least_rows = L::min16(state.least_rows, L::select(hidden, L::set(0x7FFF), rows));
     state.greatest_rows = L::max16(state.greatest_rows, L::select(hidden, zero, rows));
 
-    const I one_tile = L::equal((tile_left ^ tile_right) | (tile_top ^ tile_bottom), zero);
-    const uint32_t ordinary = job.tails != nullptr ? kept & small & ~cut & L::signs(one_tile) : 0U;
+    const uint32_t ordinary = job.tails != nullptr ? kept & small & ~cut : 0U;
+    const uint32_t one_tile = L::signs(L::equal((tile_left ^ tile_right) | (tile_top ^ tile_bottom), zero));
     alignas(32) uint32_t tile[8];
     L::store(tile, L::dot(L::pair(tile_left, tile_top), L::set(1 | job.tiles_across << 16)));
+    state.counts.appended += static_cast<size_t>(__builtin_popcount(ordinary));
+    if ((kept & ~(ordinary & one_tile)) == 0U) {
+      for (uint32_t left_over = kept; left_over != 0U; left_over &= left_over - 1U) {
+        const auto i = static_cast<size_t>(__builtin_ctz(left_over));
+        append(job, number, i, tile[i]);
+      }
+      return;
+    }
+    alignas(32) uint32_t tile_columns[8];
+    alignas(32) uint32_t tile_rows[8];
+    L::store(tile_columns, columns);
+    L::store(tile_rows, rows);
     for (uint32_t left_over = kept; left_over != 0U; left_over &= left_over - 1U) {
       const auto i = static_cast<size_t>(__builtin_ctz(left_over));
-      if ((ordinary >> i & 1U) != 0U) {
-        EntryBlock* tail = job.tails[tile[i]];
-        if (tail != nullptr && tail->count < EntryBlock::kCapacity) {
-          const uint32_t place = tail->count;
-          tail->count = place + 1U;
-          tail->corner[0][place] = number[0][i];
-          tail->corner[1][place] = number[1][i];
-          tail->corner[2][place] = number[2][i];
-          tail->colour[place] = kGouraudColour;
-          ++state.counts.appended;
-          continue;
-        }
+      if ((ordinary >> i & 1U) == 0U) {
+        const Route route = (cut >> i & 1U) != 0U     ? Route::kCut
+                            : (small >> i & 1U) != 0U ? Route::kSmall
+                                                      : Route::kLarge;
+        const Survivor survivor{{number[0][i], number[1][i], number[2][i]},
+                                static_cast<uint32_t>(first + i),
+                                route,
+                                tile_columns[i],
+                                tile_rows[i]};
+        job.sink.take(job.sink.context, survivor);
+        continue;
       }
-      hand_over(job, number, columns, rows, i, first, cut, small);
+      const size_t across = (tile_columns[i] >> 16U) - (tile_columns[i] & 0xFFFFU);
+      const size_t down = (tile_rows[i] >> 16U) - (tile_rows[i] & 0xFFFFU);
+      size_t row = tile[i];
+      for (size_t j = 0; j <= down; ++j, row += static_cast<size_t>(job.tiles_across)) {
+        for (size_t k = 0; k <= across; ++k)
+          append(job, number, i, row + k);
+      }
     }
   }
 
-  [[gnu::noinline]] static void hand_over(const TriangleJob& job, const uint32_t (&number)[3][8], I columns, I rows,
-                                          size_t i, size_t first, uint32_t cut, uint32_t small) {
-    uint32_t tile_columns[8];
-    uint32_t tile_rows[8];
-    L::store(tile_columns, columns);
-    L::store(tile_rows, rows);
-    const Route route = (cut >> i & 1U) != 0U ? Route::kCut : (small >> i & 1U) != 0U ? Route::kSmall : Route::kLarge;
-    const Survivor survivor{{number[0][i], number[1][i], number[2][i]},
-                            static_cast<uint32_t>(first + i),
-                            route,
-                            tile_columns[i],
-                            tile_rows[i]};
-    job.hand_over.take(job.hand_over.context, survivor);
+  static void append(const TriangleJob& job, const uint32_t (&number)[3][8], size_t i, size_t tile) {
+    EntryBlock* tail = job.tails[tile];
+    if (tail == nullptr || tail->count == EntryBlock::kCapacity) tail = job.sink.extend(job.sink.context, tile);
+    const uint32_t place = tail->count;
+    tail->count = place + 1U;
+    for (size_t c = 0; c < 3; ++c)
+      tail->corner[c][place] = number[c][i];
   }
 
   // The least of the low halves and the greatest of the high halves.
