@@ -352,8 +352,8 @@ void Frame::fill_tile(uint32_t tile, int worker, std::span<uint32_t> pixels) {
   job.values = vertices_.values.data();
   job.general = general_.data();
   const size_t margin = static_cast<size_t>(kTileStride) * static_cast<size_t>(samples_) + kTileMargin;
-  job.buffers = TileBuffers{&buffers.colour[margin], &buffers.depth[margin], buffers.cell_least.data(),
-                            buffers.cell_greatest.data(), &buffers.scratch};
+  job.buffers = TileBuffers{&buffers.colour[margin],      &buffers.depth[margin],    buffers.cell_least.data(),
+                            buffers.cell_greatest.data(), buffers.cell_owner.data(), &buffers.scratch};
   job.pixel_stride = static_cast<size_t>(viewport_.width);
   kernel_->tile[samples_ == 1 ? 0 : samples_ == 2 ? 1 : samples_ == 4 ? 2 : 3](job);
 }

@@ -84,6 +84,7 @@ class Frame {
     std::vector<uint32_t> colour;
     std::vector<float> depth;
     std::array<float, kCells> cell_least{}, cell_greatest{};
+    std::array<uint32_t, kCells> cell_owner{};
     GeneralTriangle scratch{};
   };
   std::vector<Buffers> buffers_;  ///< one a worker

@@ -109,8 +109,9 @@ struct FillGeneral {
     return least;
   }
 
-  /// `promise`: what to write where the triangle is seen. `tile_depth`: a lower bound of the tile's depth, kept up.
-  static void run(const TileJob& job, const GeneralTriangle& t, uint32_t promise, float& tile_depth) {
+  /// `word`: names the triangle. `tile_depth`: a lower bound of the tile's depth, kept up.
+  static void run(const TileJob& job, const GeneralTriangle& t, uint32_t word, float& tile_depth) {
+    const uint32_t promise = promise_of(t, word);
     const Plane& plane = t.depth;
     constexpr float kReach = static_cast<float>(Pattern::kReach);
     const float x0 = centre_from(job.x, t.x[0]);
@@ -170,8 +171,11 @@ struct FillGeneral {
       // Cells that this triangle fills altogether, in front of all that they show.
       const uint32_t covered = touched & whole & in_range & L::signs(L::greater(farthest_depth, L::load(greatest)));
       if (covered != 0U) {
-        fill_covered_cells(job, t, covered, cell_row, promise);
         const I mask = lanes_of(covered);
+        uint32_t* owner = job.buffers.cell_owner + cell_row * kCellsAcross;
+        const bool stays = word != kScratchTriangle;  // as long as the tile is in hand
+        L::store(owner, L::select(mask, L::set(stays ? static_cast<int32_t>(word) : 0), L::load(owner)));
+        if (!stays) write_cells(job, t, covered, cell_row, promise);
         L::store(least, L::select(mask, farthest_depth, L::load(least)));
         L::store(greatest, L::select(mask, bound, L::load(greatest)));
         touched &= ~covered;
@@ -181,6 +185,7 @@ struct FillGeneral {
       for (; touched != 0U; touched &= touched - 1U) {
         const int32_t cell = __builtin_ctz(touched);
         const uint32_t bit = 1U << static_cast<uint32_t>(cell);
+        release(job, cell, cell_row);
         if ((whole & in_range & bit) != 0U) {
           least[cell] = fill_whole_cell<false>(job, t, cell, cell_row, promise);
         } else if ((whole & bit) != 0U) {
@@ -195,6 +200,26 @@ struct FillGeneral {
     for (size_t i = 1; i < kCellsDown; ++i)
       least = L::min(least, L::load(job.buffers.cell_least + i * kCellsAcross));
     tile_depth = least_of(least);
+  }
+
+  // What is written where a triangle is seen.
+  static uint32_t promise_of(const GeneralTriangle& t, uint32_t word) {
+    return t.colour != kGouraudColour ? t.colour : word;
+  }
+
+  // Brings a cell's memory up to date.
+  static void release(const TileJob& job, int32_t cell, int32_t cell_row) {
+    uint32_t& owner = job.buffers.cell_owner[cell_row * kCellsAcross + cell];
+    if (owner == 0U) return;
+    const GeneralTriangle& t = Resolve<L, kSamples>::promised(job, owner);
+    write_cells(job, t, 1U << static_cast<uint32_t>(cell), cell_row, promise_of(t, owner));
+    owner = 0;
+  }
+  static void release_all(const TileJob& job) {
+    for (int32_t row = 0; row < kCellsDown; ++row) {
+      for (int32_t cell = 0; cell < kCellsAcross; ++cell)
+        release(job, cell, row);
+    }
   }
 
   // A mask of the lanes whose bits are set.
@@ -310,9 +335,9 @@ struct FillGeneral {
     return least_of(lowest);
   }
 
-  // Cells of one row of which nothing stays: neither what they hold nor the plane's range needs a look.
-  static void fill_covered_cells(const TileJob& job, const GeneralTriangle& t, uint32_t cells, int32_t cell_row,
-                                 uint32_t promise) {
+  // Cells of one row that are one triangle's altogether: neither what they hold nor the plane's range needs a look.
+  static void write_cells(const TileJob& job, const GeneralTriangle& t, uint32_t cells, int32_t cell_row,
+                          uint32_t promise) {
     const Plane plane = t.depth;
     const int32_t first_row = cell_row * kCellSize;
     alignas(32) float row_depths[kSamples][kCellSize];

@@ -10,7 +10,7 @@ namespace auslan::raster {
 /// How eight lanes lie on the screen.
 template <bool kTall>
 struct BlockShape {
-  static constexpr uint32_t kWidth = kTall ? 4 : 8;
+  static constexpr int32_t kWidth = kTall ? 4 : 8;
   static constexpr int32_t kHeight = kTall ? 2 : 1;
   uint32_t lanes[8] = {};  ///< i and j of each lane as SmallGroup::ab has a and b
   float across[8] = {}, down[8] = {};
@@ -19,8 +19,8 @@ struct BlockShape {
   static constexpr BlockShape make() {
     BlockShape t;
     for (uint32_t lane = 0; lane < 8; ++lane) {
-      const uint32_t i = lane % kWidth;
-      const uint32_t j = lane / kWidth;
+      const uint32_t i = lane % uint32_t{kWidth};
+      const uint32_t j = lane / uint32_t{kWidth};
       t.lanes[lane] = i | j << 16U;
       t.across[lane] = static_cast<float>(i);
       t.down[lane] = static_cast<float>(j);
@@ -41,6 +41,16 @@ struct FillSmall {
   using Group = SmallGroup<kSamples>;
   static constexpr size_t kRowWords = size_t{kTileStride} * kSamples;
 
+  // Where a column starts, from the triangle's corner.
+  struct Corner {
+    static constexpr bool kElsewhere = false;
+    static constexpr int32_t column = 0, row = 0;
+  };
+  struct Place {
+    static constexpr bool kElsewhere = true;
+    int32_t column, row;
+  };
+
   // A column of blocks of one triangle, and where in it we are.
   template <bool kTall>
   struct Column {
@@ -54,11 +64,18 @@ struct FillSmall {
     float* depths;
     uint32_t* pixels;
 
-    // `column`, `row`: of its first block from the triangle's corner.
-    Column(const TileBuffers& buffers, const Group& group, size_t lane, uint32_t flat_colour, int32_t column,
-           int32_t row)
+    // `from`: of its first block from the triangle's corner.
+    template <class Start>
+    Column(const TileBuffers& buffers, const Group& group, size_t lane, uint32_t flat_colour, const Start& from)
         : g(group), k(lane) {
-      const I lanes = L::load(kShape.lanes) + L::set(column | row << 16);
+      I lanes = L::load(kShape.lanes);
+      down = L::spread(&g.down[k]) + L::load(kShape.down);
+      F across = L::spread(&g.across[k]) + L::load(kShape.across);
+      if constexpr (Start::kElsewhere) {
+        lanes = lanes + L::set(from.column | from.row << 16);
+        down = down + L::set(static_cast<float>(from.row));
+        across = across + L::set(static_cast<float>(from.column));
+      }
       for (size_t e = 0; e < 3; ++e) {
         const I ab = L::spread(&g.ab[e][k]);
         edge[e] = L::spread(&g.start[e][k]) + L::dot(ab, lanes);
@@ -66,30 +83,31 @@ struct FillSmall {
       }
       origin = L::spread(&g.depth[k]);
       depth_down = L::spread(&g.depth_y[k]);
-      down = (L::spread(&g.down[k]) + L::set(static_cast<float>(row))) + L::load(kShape.down);
-      const F across = (L::spread(&g.across[k]) + L::set(static_cast<float>(column))) + L::load(kShape.across);
       depth_across = across * L::spread(&g.depth_x[k]);
       if (flat_colour != kGouraudColour) {
         set_flat(flat_colour);
       } else {
-        set_colours(column, row);
+        set_colours(from);
       }
-      const ptrdiff_t place = ptrdiff_t{g.row[k] + row} * static_cast<ptrdiff_t>(kRowWords) + g.column[k] + column;
+      const ptrdiff_t place =
+          ptrdiff_t{g.row[k] + from.row} * static_cast<ptrdiff_t>(kRowWords) + g.column[k] + from.column;
       depths = buffers.depth + place;
       pixels = buffers.colour + place;
     }
 
-    void set_colours(int32_t column, int32_t row) {
+    template <class Start>
+    void set_colours(const Start& from) {
       colour_down = L::quads(g.colour_y[k]);
       const Q colour_across = L::quads(g.colour_x[k]);
       colour = L::quads(g.colour[k]) + colour_across * L::load_quads(kShape.colour_across);
       if constexpr (kTall) {
         colour = colour + colour_down * L::load_quads(kShape.colour_down);
-        colour_down = colour_down + colour_down;
-      } else {
-        colour = (colour + colour_across * L::repeat(static_cast<int16_t>(column))) +
-                 colour_down * L::repeat(static_cast<int16_t>(row));
       }
+      if constexpr (Start::kElsewhere) {
+        colour = (colour + colour_across * L::repeat(static_cast<int16_t>(from.column))) +
+                 colour_down * L::repeat(static_cast<int16_t>(from.row));
+      }
+      if constexpr (kTall) colour_down = colour_down + colour_down;
       if constexpr (kSamples > 1) {
         colour_least = L::quads(g.colour_least[k]);
         colour_greatest = L::quads(g.colour_greatest[k]);
@@ -145,7 +163,7 @@ struct FillSmall {
         const I visible = L::keep_greater(edge[0] | edge[1] | edge[2], z, stored);
         store(depths, stored);
         store(pixels, L::select(visible, shade(), load(pixels)));
-      } else if (L::signs(edge[0] | edge[1] | edge[2]) != 0xFFU) {
+      } else {
         fill_samples(z);
       }
     }
@@ -179,14 +197,23 @@ struct FillSmall {
   static void run(const TileBuffers& buffers, const Group& g, size_t k, uint32_t flat) {
     const int32_t width = g.width[k];
     const int32_t height = g.height[k];
-    if (width <= 4) return Column<true>(buffers, g, k, flat, 0, 0).run(height);
-    if (width <= 8) return Column<false>(buffers, g, k, flat, 0, 0).run(height);
-    for (int32_t column = 0; column < width; column += 8)
-      fill_column(buffers, g, k, flat, column, height);
+    if (width <= 4) return Column<true>(buffers, g, k, flat, Corner{}).run(height);
+    if (width <= 8) return Column<false>(buffers, g, k, flat, Corner{}).run(height);
+    fill_wide(buffers, g, k, flat);
+  }
+
+  [[gnu::noinline]] static void fill_wide(const TileBuffers& buffers, const Group& g, size_t k, uint32_t flat) {
+    const int32_t width = g.width[k];
+    const int32_t height = g.height[k];
+    int32_t column = 0;
+    for (; column + 4 < width; column += 8)
+      fill_column<false>(buffers, g, k, flat, column, height);
+    if (column < width) fill_column<true>(buffers, g, k, flat, column, height);
   }
 
   // Of a column of a wide triangle only the rows that hold something. They follow each other, as each edge shuts out
   // what lies above or below a row.
+  template <bool kTall>
   static void fill_column(const TileBuffers& buffers, const Group& g, size_t k, uint32_t flat, int32_t column,
                           int32_t height) {
     I highest[3], eight_down[3];
@@ -194,9 +221,10 @@ struct FillSmall {
                                           4U << 16U, 5U << 16U, 6U << 16U, 7U << 16U};
     const I place = L::load(kRows) + L::set(column);
     for (size_t e = 0; e < 3; ++e) {
-      // 7 * a where a is positive.
+      // The edge is highest at the last pixel of a row where a is positive.
       const I ab = L::spread(&g.ab[e][k]);
-      highest[e] = L::spread(&g.start[e][k]) + L::dot(ab, place) + L::dot(L::max16(ab, L::set(0)), L::set(7));
+      highest[e] = L::spread(&g.start[e][k]) + L::dot(ab, place) +
+                   L::dot(L::max16(ab, L::set(0)), L::set(BlockShape<kTall>::kWidth - 1));
       eight_down[e] = L::dot(ab, L::set(8 << 16));
     }
     uint64_t touched = 0;
@@ -209,7 +237,7 @@ struct FillSmall {
     if (touched == 0U) return;
     const int32_t first = __builtin_ctzll(touched);
     const int32_t last = 63 - __builtin_clzll(touched);
-    Column<false>(buffers, g, k, flat, column, first).run(last - first + 1);
+    Column<kTall>(buffers, g, k, flat, Place{column, first}).run(last - first + 1);
   }
 };
 

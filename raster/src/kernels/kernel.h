@@ -174,8 +174,11 @@ struct GeneralTriangle {
 struct TileBuffers {
   uint32_t* colour;
   float* depth;
-  float* cell_least;         ///< kCells lower bounds of depth
-  float* cell_greatest;      ///< and upper bounds
+  float* cell_least;     ///< kCells lower bounds of depth
+  float* cell_greatest;  ///< and upper bounds
+  /// kCells words: one that names a general triangle says that all samples of the cell are its, and that the cell's own
+  /// memory is out of date. 0: the cell is in memory.
+  uint32_t* cell_owner;
   GeneralTriangle* scratch;  ///< one
 };
 

@@ -170,14 +170,49 @@ struct Resolve {
     }
   }
 
-  /// `promised`: whether there may be promises.
+  // Pixels of cells side by side that have one owner; returns where they end.
+  static int32_t owned(const TileJob& job, const uint32_t* owner, int32_t row, uint32_t* pixels, int32_t column) {
+    const uint32_t word = owner[column / kCellSize];
+    int32_t end = column;
+    do {
+      end += kCellSize;
+    } while (end < job.width && owner[end / kCellSize] == word);
+    const GeneralTriangle& t = promised(job, word);
+    if (t.colour != kGouraudColour) {
+      const I colour = L::set(static_cast<int32_t>(t.colour));
+      for (; column < end; column += 8)
+        store_pixels(job, pixels, column, colour);
+    } else {
+      const Shader shader(t, job.y + row);
+      for (; column < end; column += 8)
+        store_pixels(job, pixels, column, shader.at(job.x + column));
+    }
+    return end;
+  }
+
+  // Eight pixels, or as many as the frame has there.
+  static void store_pixels(const TileJob& job, uint32_t* pixels, int32_t column, I colours) {
+    if (column + 8 <= job.width) return L::store(pixels + column, colours);
+    uint32_t lanes[8];
+    L::store(lanes, colours);
+    for (int32_t i = 0; column + i < job.width; ++i)
+      pixels[column + i] = lanes[i];
+  }
+
+  /// `promised_any`: whether there may be promises or owners.
   static void run(const TileJob& job, bool promised_any) {
     if (kSamples == 1 && !promised_any) return copy(job);
     uint32_t* pixels = job.pixels;
     const uint32_t* words = job.buffers.colour;
     for (int32_t row = 0; row < job.height; ++row, pixels += job.pixel_stride, words += kRowWords) {
       int32_t column = 0;
-      while (column + 8 <= job.width) {
+      const uint32_t* owner = job.buffers.cell_owner + row / kCellSize * kCellsAcross;
+      while (column < job.width) {
+        if (owner[column / kCellSize] != 0U) {
+          column = owned(job, owner, row, pixels, column);
+          continue;
+        }
+        if (column + 8 > job.width) break;
         const uint32_t word = words[column];
         if ((word & kGeneralTriangle) == 0U || !all_samples(words + column, word)) {
           L::store(pixels + column, eight(job, words + column, column, row));
@@ -189,7 +224,7 @@ struct Resolve {
         column = t.perspective ? shader.template run<true>(job, words, word, pixels, column)
                                : shader.template run<false>(job, words, word, pixels, column);
       }
-      if (column == job.width) continue;
+      if (column >= job.width) continue;
       uint32_t lanes[8];
       L::store(lanes, eight(job, words + column, column, row));
       for (int32_t i = 0; column + i < job.width; ++i)

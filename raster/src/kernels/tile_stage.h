@@ -34,11 +34,14 @@ struct TileStage {
     }
     set_cells(job.buffers.cell_least, 0.0F);
     set_cells(job.buffers.cell_greatest, 0.0F);
+    for (size_t i = 0; i < kCells; i += 8)
+      L::store(job.buffers.cell_owner + i, L::set(0));
   }
 
   struct State {
     float depth = 0.0F;  ///< a lower bound of the tile's depth
     bool promised = false;
+    bool owned = false;  ///< cells may have owners
   };
 
   // Eight entries of a block, or as many as it has.
@@ -50,31 +53,33 @@ struct TileStage {
     uint32_t with_care = 0;
     if (general != there) {
       with_care = SetUp<L, kSamples>::run(job, block, first, group) & there;
-      // Small triangles do not keep the upper bounds up.
+      // Small triangles do not keep the upper bounds up, and know nothing of owners.
       set_cells(job.buffers.cell_greatest, 2.0F);
+      if (state.owned) FillGeneral<L, kSamples>::release_all(job);
+      state.owned = false;
     }
-    if ((general | with_care) == 0U) {
-      for (size_t i = 0; i < count; ++i)
-        FillSmall<L, kSamples>::run(job.buffers, group, i, block.colour[first + i]);
-      return;
-    }
+    const uint32_t long_path = general | with_care;
     for (size_t i = 0; i < count; ++i) {
-      const uint32_t colour = block.colour[first + i];
-      if ((general >> i & 1U) != 0U) {
-        const GeneralTriangle& t = Resolve<L, kSamples>::promised(job, colour);
-        FillGeneral<L, kSamples>::run(job, t, t.colour != kGouraudColour ? t.colour : colour, state.depth);
-        state.promised = true;
-      } else if ((with_care >> i & 1U) != 0U) {
-        fill_with_care(job, block, first + i, group, i, state.depth);
+      if ((long_path >> i & 1U) == 0U) {
+        FillSmall<L, kSamples>::run(job.buffers, group, i, block.colour[first + i]);
+      } else if ((general >> i & 1U) != 0U) {
+        fill_large(job, block.colour[first + i], state);
       } else {
-        FillSmall<L, kSamples>::run(job.buffers, group, i, colour);
+        fill_with_care(job, block, first + i, group, i, state);
       }
     }
   }
 
+  [[gnu::noinline]] static void fill_large(const TileJob& job, uint32_t word, State& state) {
+    const GeneralTriangle& t = Resolve<L, kSamples>::promised(job, word);
+    FillGeneral<L, kSamples>::run(job, t, word, state.depth);
+    state.promised = true;
+    state.owned = true;
+  }
+
   // A small triangle by the long path.
-  static void fill_with_care(const TileJob& job, const EntryBlock& block, size_t i, const SmallGroup<kSamples>& group,
-                             size_t k, float& tile_depth) {
+  [[gnu::noinline]] static void fill_with_care(const TileJob& job, const EntryBlock& block, size_t i,
+                                               const SmallGroup<kSamples>& group, size_t k, State& state) {
     Corner corner[3];
     for (size_t c = 0; c < 3; ++c)
       corner[c] = corner_of(job.points[block.corner[c][i]], job.values[block.corner[c][i]]);
@@ -84,9 +89,8 @@ struct TileStage {
     t.first_row = job.y + group.row[k];
     t.last_column = t.first_column + group.width[k] - 1;
     t.last_row = t.first_row + group.height[k] - 1;
-    const bool gouraud = block.colour[i] == kGouraudColour;
-    FillGeneral<L, kSamples>::run(job, t, gouraud ? kScratchTriangle : block.colour[i], tile_depth);
-    if (gouraud) Resolve<L, kSamples>::settle(job, t);
+    FillGeneral<L, kSamples>::run(job, t, kScratchTriangle, state.depth);
+    if (t.colour == kGouraudColour) Resolve<L, kSamples>::settle(job, t);
   }
 
   static void run(const TileJob& job) {
