@@ -1,22 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// draw_gltf FILE.glb PICTURE.png: a person from the hips up, 640x480, eight samples a pixel. The file is trusted:
-// triangles with normals, arrays without gaps, indices and colours (if there are any) of 16 bits.
-#include <deque>
+// draw_gltf FILE.glb PICTURE.png: a person from the hips up, in clay. The file is trusted: nodes that are only moved,
+// triangles with normals, arrays without gaps, indices of 16 bits.
 #include <glm/ext.hpp>
+#include <list>
 #include <raster/renderer.h>
-#include <raster/srgb.h>
 #include <stb_image_write.h>
 #include <tiny_gltf.h>
-
 using namespace auslan::raster;
-
-struct Scene {
-  tinygltf::Model file;
-  Renderer renderer;
-  // What a MeshView shows must stay where it is until end_frame; positions and normals do so in `file`.
-  std::deque<std::vector<glm::u8vec4>> colours;
-  std::deque<std::vector<uint32_t>> indices;
-};
 
 template <typename T>
 std::span<const T> array(const tinygltf::Model& file, int number) {
@@ -26,51 +16,35 @@ std::span<const T> array(const tinygltf::Model& file, int number) {
   return {reinterpret_cast<const T*>(&bytes.at(view.byteOffset + accessor.byteOffset)), accessor.count};
 }
 
-uint8_t srgb_code(uint16_t linear) {
-  return static_cast<uint8_t>(srgb_level_from_linear(linear / 65535.0F) + 0.5F);
-}
-
-void draw(Scene& scene, const tinygltf::Node& node, glm::dmat4 place) {
-  if (!node.translation.empty()) place = glm::translate(place, glm::make_vec3(node.translation.data()));
-  if (!node.rotation.empty()) place *= glm::mat4_cast(glm::make_quat(node.rotation.data()));
-  if (!node.scale.empty()) place = glm::scale(place, glm::make_vec3(node.scale.data()));
-  static const std::vector<tinygltf::Primitive> kNothing;
-  for (const tinygltf::Primitive& part : node.mesh < 0 ? kNothing : scene.file.meshes.at(node.mesh).primitives) {
-    const auto positions = array<glm::vec3>(scene.file, part.attributes.at("POSITION"));
-    auto& colours = scene.colours.emplace_back(positions.size(), glm::u8vec4(190));
-    if (part.attributes.contains("COLOR_0"))
-      for (size_t i = 0; const glm::u16vec4& light : array<glm::u16vec4>(scene.file, part.attributes.at("COLOR_0")))
-        colours[i++] = glm::u8vec4(srgb_code(light.r), srgb_code(light.g), srgb_code(light.b), 255);
-    const auto indices = array<uint16_t>(scene.file, part.indices);
-    scene.indices.emplace_back(indices.begin(), indices.end());
-    const auto normals = array<glm::vec3>(scene.file, part.attributes.at("NORMAL"));
-    scene.renderer.draw({positions, normals, colours, scene.indices.back()}, glm::mat4(place), Shading::kGouraud);
+void draw(Renderer& renderer, const tinygltf::Model& file, const tinygltf::Node& node, glm::dvec3 place) {
+  static const tinygltf::Mesh kNothing;
+  static const std::vector<glm::u8vec4> kClay(65536, glm::u8vec4(201, 160, 132, 255));
+  static std::list<std::vector<uint32_t>> indices;  // what a MeshView shows must stay until end_frame
+  if (!node.translation.empty()) place += glm::make_vec3(node.translation.data());
+  for (const auto& part : (node.mesh < 0 ? kNothing : file.meshes.at(node.mesh)).primitives) {
+    const auto positions = array<glm::vec3>(file, part.attributes.at("POSITION"));
+    const auto normals = array<glm::vec3>(file, part.attributes.at("NORMAL"));
+    const auto corners = array<uint16_t>(file, part.indices);
+    const MeshView mesh{positions, normals, std::span(kClay).first(positions.size()),
+                        indices.emplace_back(corners.begin(), corners.end())};
+    renderer.draw(mesh, glm::translate(glm::mat4(1.0F), glm::vec3(place)), Shading::kGouraud);
   }
   for (const int child : node.children)
-    draw(scene, scene.file.nodes.at(child), place);
+    draw(renderer, file, file.nodes.at(child), place);
 }
 
 int main(int argc, char** argv) {
-  Scene scene;
+  tinygltf::Model file;
   std::string error, warning;
-  if (argc != 3 || !tinygltf::TinyGLTF().LoadBinaryFromFile(&scene.file, &error, &warning, argv[1])) {
-    std::fprintf(stderr, "usage: draw_gltf FILE.glb PICTURE.png\n%s", error.c_str());
-    return 2;
-  }
-  if (scene.renderer.begin_frame(640, 480, 8, pack_pixel(0xC9, 0xD3, 0xD9)) != Status::kOk) return 1;
-  const glm::vec3 chest(0.0F, 1.3F, 0.0F);
-  scene.renderer.set_camera(look_at({-0.8F, 1.5F, 2.6F}, chest, {0.0F, 1.0F, 0.0F}, 3.6F, 640.0F / 480.0F, 0.1F));
-  scene.renderer.set_lighting({.key_direction = {0.5F, 0.8F, 0.9F},
-                               .key_colour = glm::vec3(0.7F),
-                               .ambient_sky = glm::vec3(0.35F),
-                               .ambient_ground = glm::vec3(0.2F)});
-  for (const int root : scene.file.scenes.at(0).nodes)
-    draw(scene, scene.file.nodes.at(root), glm::dmat4(1.0));
+  if (argc != 3 || !tinygltf::TinyGLTF().LoadBinaryFromFile(&file, &error, &warning, argv[1])) return 2;
+  Renderer renderer;
+  if (renderer.begin_frame(640, 480, 8, 0xC9D3D9) != Status::kOk) return 1;
+  renderer.set_camera(look_at({-0.8F, 1.5F, 2.6F}, {0, 1.3F, 0}, {0, 1, 0}, 3.6F, 640.0F / 480.0F, 0.1F));
+  renderer.set_lighting({{0.5F, 0.8F, 0.9F}, glm::vec3(0.7F), {}, {}, glm::vec3(0.35F), glm::vec3(0.2F)});
+  draw(renderer, file, file.nodes.at(file.scenes.at(0).nodes.at(0)), glm::dvec3(0.0));
   std::vector<uint32_t> pixels(640 * 480);
-  if (scene.renderer.end_frame(pixels) != Status::kOk) return 1;
-  std::vector<uint8_t> bytes;
-  for (const uint32_t pixel : pixels)
-    for (const uint32_t channel : {red_of(pixel), green_of(pixel), blue_of(pixel)})
-      bytes.push_back(static_cast<uint8_t>(channel));
-  return stbi_write_png(argv[2], 640, 480, 3, bytes.data(), 640 * 3) != 0 ? 0 : 1;
+  if (renderer.end_frame(pixels) != Status::kOk) return 1;
+  for (uint32_t& pixel : pixels)
+    pixel = 0xFF000000U | blue_of(pixel) << 16U | green_of(pixel) << 8U | red_of(pixel);
+  return stbi_write_png(argv[2], 640, 480, 4, pixels.data(), 640 * 4) != 0 ? 0 : 1;
 }

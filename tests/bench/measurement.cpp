@@ -7,11 +7,11 @@
 namespace auslan::bench {
 namespace {
 
-double median(std::vector<double>& values) {
+double lower_quartile(std::vector<double>& values) {
   if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
+  const auto quarter = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 4);
+  std::ranges::nth_element(values, quarter);
+  return *quarter;
 }
 
 }  // namespace
@@ -42,8 +42,8 @@ std::vector<Figures> measure(const std::vector<Engine>& engines, const Patience&
     Figures result;
     result.frames = static_cast<int>(of.cpu.size());
     if (result.frames > 0) result.least_cpu_ms = *std::ranges::min_element(of.cpu);
-    result.cpu_ms = median(of.cpu);
-    result.wall_ms = median(of.wall);
+    result.cpu_ms = lower_quartile(of.cpu);
+    result.wall_ms = lower_quartile(of.wall);
     figures.push_back(result);
   }
   return figures;

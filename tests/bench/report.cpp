@@ -365,7 +365,7 @@ void Report::write_json() {
 }
 
 int Report::run() {
-  std::printf("%s; medians of frames that took turns\n", processor_name().c_str());
+  std::printf("%s; lower quartiles of frames that took turns\n", processor_name().c_str());
   for (const PeerProcess* peer : {llvmpipe_.get(), capped_.get(), softpipe_.get()})
     if (peer != nullptr) std::printf("%s\n", peer->driver().c_str());
   if (llvmpipe_ == nullptr) std::printf("OSMesa (libosmesa6-dev) is not here: no peers\n");

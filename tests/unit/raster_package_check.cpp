@@ -35,18 +35,15 @@ int main(int argc, char** argv) {
   if (renderer.begin_frame(expected.width, expected.height, 8, 0xC9D3D9) != raster::Status::kOk) return 1;
   renderer.set_camera(raster::look_at(glm::vec3(-0.8F, 1.5F, 2.6F), glm::vec3(0.0F, 1.3F, 0.0F),
                                       glm::vec3(0.0F, 1.0F, 0.0F), 3.6F, 4.0F / 3.0F, 0.1F));
-  raster::Lighting lighting;
-  lighting.key_direction = glm::vec3(0.5F, 0.8F, 0.9F);
-  lighting.key_colour = glm::vec3(0.7F);
-  lighting.ambient_sky = glm::vec3(0.35F);
-  lighting.ambient_ground = glm::vec3(0.2F);
-  renderer.set_lighting(lighting);
+  renderer.set_lighting({{0.5F, 0.8F, 0.9F}, glm::vec3(0.7F), {}, {}, glm::vec3(0.35F), glm::vec3(0.2F)});
+  std::vector<std::vector<glm::u8vec4>> clay;
   for (int node = 0; node < figure->skeleton.size(); ++node) {
     // At rest nothing is rotated.
     glm::mat4 world_from_node(1.0F);
     world_from_node[3] = glm::vec4(glm::vec3(figure->skeleton.rest_position(node)), 1.0F);
     const Mesh& mesh = figure->segments[static_cast<size_t>(node)];
-    renderer.draw({mesh.positions, mesh.normals, mesh.colours, mesh.indices}, world_from_node,
+    clay.emplace_back(mesh.positions.size(), glm::u8vec4(201, 160, 132, 255));
+    renderer.draw({mesh.positions, mesh.normals, clay.back(), mesh.indices}, world_from_node,
                   raster::Shading::kGouraud);
   }
   if (renderer.end_frame(expected.pixels) != raster::Status::kOk) return 1;
