@@ -127,6 +127,12 @@ void add_frame_form(CLI::App& app, Options& options) {
     options.stage.flat = text == "flat";
     return {};
   });
+  add_parsed(app, "--joints", "smooth, or rigid segments as the paper has them (smooth)", "NAME",
+             [&options](const std::string& text) -> std::string {
+               if (text != "smooth" && text != "rigid") return "takes smooth or rigid, not \"" + text + "\"";
+               options.stage.rigid = text == "rigid";
+               return {};
+             });
   add_parsed(app, "--camera", "front, three-quarter, side, signer, hands or face (front)", "NAME",
              [&options](const std::string& text) -> std::string {
                const auto camera = camera_from_name(text);

@@ -84,7 +84,9 @@ std::optional<CameraName> camera_from_name(std::string_view name) {
 Stage::Stage(const Figure& figure, const StageOptions& options)
     : figure_(&figure),
       options_(options),
-      model_(options.flat ? make_rigid_flat(figure) : make_rigid_gouraud(figure)),
+      model_(options.flat    ? make_rigid_flat(figure)
+             : options.rigid ? make_rigid_gouraud(figure)
+                             : make_skinned(figure)),
       renderer_(options.threads, options.kernel.value()),
       camera_(
           stage_camera(figure, options.camera, static_cast<float>(options.width) / static_cast<float>(options.height))),

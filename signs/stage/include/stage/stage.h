@@ -33,6 +33,7 @@ struct StageOptions {
   int width = 1280, height = 720;  ///< pixels, 1 to 16384
   int samples = 4;                 ///< anti-aliasing: 1, 2, 4 or 8 samples a pixel
   bool flat = false;               ///< flat shading, with the rigid flat model
+  bool rigid = false;              ///< rigid segments instead of joints that bend the skin
   CameraName camera = CameraName::kFront;
   uint32_t background = 0xC9D3D9;        ///< 0x00RRGGBB
   int threads = 1;                       ///< that share the work of a frame
