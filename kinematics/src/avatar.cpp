@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kinematics/avatar.h"
+
+#include <algorithm>
+#include <optional>
+#include <span>
+
+namespace auslan {
+namespace {
+
+std::string letters_of(std::string_view name) {
+  if (const size_t dot = name.rfind('.'); dot != std::string_view::npos && dot + 2 < name.size())
+    name.remove_prefix(dot + 1);
+  std::string letters;
+  for (const char c : name) {
+    if (c >= 'A' && c <= 'Z')
+      letters += static_cast<char>(c - 'A' + 'a');
+    else if (c >= 'a' && c <= 'z')
+      letters += c;
+  }
+  return letters;
+}
+
+/// Whether a morph target or expression is named as ARKit names the channel: "eyeBlinkLeft", "EyeBlink_L",
+/// "face.eyeBlinkLeft".
+bool is_named(std::string_view name, std::string_view channel) {
+  const std::string found = letters_of(name);
+  const std::string expected = letters_of(channel);
+  if (found == expected) return true;
+  for (const std::string_view side : {"left", "right"})
+    if (expected.ends_with(side)) return found == expected.substr(0, expected.size() - side.size()) + side.front();
+  return false;
+}
+
+/// MakeHuman's face pose units and the channels they come near; `share` is the weight that a full channel gives.
+struct FaceUnit {
+  FaceChannel channel;
+  std::string_view morph;
+  double share;
+};
+
+using enum FaceChannel;
+
+constexpr std::array<FaceUnit, 23> kMakeHumanUnits = {{{kBrowInnerUp, "LeftInnerBrowUp", 1.0},
+                                                       {kBrowInnerUp, "RightInnerBrowUp", 1.0},
+                                                       {kBrowOuterUpLeft, "LeftOuterBrowUp", 1.0},
+                                                       {kBrowOuterUpRight, "RightOuterBrowUp", 1.0},
+                                                       {kBrowDownLeft, "LeftBrowDown", 1.0},
+                                                       {kBrowDownRight, "RightBrowDown", 1.0},
+                                                       {kEyeBlinkLeft, "LeftUpperLidClosed", 1.0},
+                                                       {kEyeBlinkRight, "RightUpperLidClosed", 1.0},
+                                                       {kEyeWideLeft, "LeftUpperLidOpen", 1.0},
+                                                       {kEyeWideRight, "RightUpperLidOpen", 1.0},
+                                                       {kJawOpen, "JawDrop", 1.0},
+                                                       {kMouthPucker, "LipsKiss", 1.0},
+                                                       {kMouthSmileLeft, "MouthLeftPullUp", 1.0},
+                                                       {kMouthSmileRight, "MouthRightPullUp", 1.0},
+                                                       {kMouthFrownLeft, "MouthLeftPullDown", 1.0},
+                                                       {kMouthFrownRight, "MouthRightPullDown", 1.0},
+                                                       {kMouthStretchLeft, "MouthLeftPullSide", 1.0},
+                                                       {kMouthStretchRight, "MouthRightPullSide", 1.0},
+                                                       // One unit for both sides of the lip: half from each channel.
+                                                       {kMouthLowerDownLeft, "lowerLipDown", 0.5},
+                                                       {kMouthLowerDownRight, "lowerLipDown", 0.5},
+                                                       {kMouthUpperUpLeft, "UpperLipUp", 0.5},
+                                                       {kMouthUpperUpRight, "UpperLipUp", 0.5},
+                                                       {kCheekPuff, "CheeksPump", 1.0}}};
+constexpr FaceUnit kMakeHumanTongue = {kTongueOut, "TongueOut", 1.0};
+
+/// Expressions of VRM that come near a channel, the nearest first. They move more of the face than the channel does.
+struct Stand {
+  FaceChannel channel;
+  std::string_view expression;
+};
+constexpr std::array<Stand, 19> kStands = {{{kEyeBlinkLeft, "blinkLeft"},
+                                            {kEyeBlinkRight, "blinkRight"},
+                                            {kEyeBlinkLeft, "blink"},
+                                            {kEyeBlinkRight, "blink"},
+                                            {kJawOpen, "aa"},
+                                            {kMouthPucker, "ou"},
+                                            {kMouthFunnel, "oh"},
+                                            {kMouthStretchLeft, "ih"},
+                                            {kMouthStretchRight, "ih"},
+                                            {kMouthSmileLeft, "happy"},
+                                            {kMouthSmileRight, "happy"},
+                                            {kMouthFrownLeft, "sad"},
+                                            {kMouthFrownRight, "sad"},
+                                            {kBrowDownLeft, "angry"},
+                                            {kBrowDownRight, "angry"},
+                                            {kBrowInnerUp, "surprised"},
+                                            {kEyeWideLeft, "surprised"},
+                                            {kEyeWideRight, "surprised"},
+                                            {kBrowInnerUp, "sad"}}};
+
+bool is_sided_face_channel(FaceChannel channel) {
+  const std::string_view name = kFaceChannelNames[static_cast<size_t>(channel)];
+  return name.ends_with("Left") || name.ends_with("Right");
+}
+
+void add_binds(const Avatar& avatar, FaceDrive& drive, double share, auto is_wanted) {
+  for (size_t m = 0; m < avatar.meshes.size(); ++m)
+    for (size_t i = 0; i < avatar.meshes[m].morph_names.size(); ++i) {
+      const std::string& name = avatar.meshes[m].morph_names[i];
+      if (!is_wanted(name)) continue;
+      drive.means = FaceDrive::Means::kMorph;
+      if (drive.source.empty()) drive.source = name;
+      drive.binds.push_back({.mesh = static_cast<int>(m), .morph = static_cast<int>(i), .weight = share});
+    }
+}
+
+void drive_by_expression(const AvatarExpression& expression, double share, FaceDrive& drive) {
+  if (expression.binds.empty() || drive.means != FaceDrive::Means::kNone) return;
+  drive = {.means = FaceDrive::Means::kExpression, .source = expression.name, .binds = expression.binds};
+  for (MorphBind& bind : drive.binds)
+    bind.weight *= share;
+}
+
+}  // namespace
+
+size_t triangle_count(const Avatar& avatar) {
+  size_t triangles = 0;
+  for (const AvatarNode& node : avatar.nodes)
+    if (node.mesh >= 0)
+      for (const AvatarSurface& surface : avatar.meshes[static_cast<size_t>(node.mesh)].surfaces)
+        triangles += surface.indices.size() / 3;
+  return triangles;
+}
+
+void drive_face(Avatar& avatar) {
+  for (size_t c = 0; c < kFaceChannelCount; ++c) {
+    FaceDrive& drive = avatar.face[c];
+    drive = {};
+    const std::string_view channel = kFaceChannelNames[c];
+    add_binds(avatar, drive, 1.0, [&](std::string_view name) { return is_named(name, channel); });
+    if (drive.means != FaceDrive::Means::kNone) continue;
+    for (const AvatarExpression& expression : avatar.expressions)
+      if (is_named(expression.name, channel)) drive_by_expression(expression, 1.0, drive);
+    if (drive.means != FaceDrive::Means::kNone) continue;
+    const auto add_unit = [&](const FaceUnit& unit) {
+      if (static_cast<size_t>(unit.channel) == c)
+        add_binds(avatar, drive, unit.share, [&](std::string_view name) { return name == unit.morph; });
+    };
+    std::ranges::for_each(kMakeHumanUnits, add_unit);
+    add_unit(kMakeHumanTongue);
+  }
+  for (const Stand& stand : kStands) {
+    // Both channels of a pair take half of an expression that moves both sides.
+    const bool is_half = is_sided_face_channel(stand.channel) && !stand.expression.starts_with("blink");
+    for (const AvatarExpression& expression : avatar.expressions)
+      if (expression.name == stand.expression)
+        drive_by_expression(expression, is_half ? 0.5 : 1.0, avatar.face[static_cast<size_t>(stand.channel)]);
+  }
+}
+
+}  // namespace auslan
