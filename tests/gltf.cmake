@@ -4,7 +4,7 @@ auslan_test(figure_file LABEL unit LIBRARIES auslan::kinematics)
 
 if(TARGET auslan::gltf)
   find_package(nlohmann_json REQUIRED)
-  foreach(test gltf_round_trip gltf_reader gltf_hostile avatar_samples)
+  foreach(test gltf_round_trip gltf_reader gltf_hostile avatar_reader avatar_samples)
     auslan_test(${test} LABEL unit LIBRARIES auslan::gltf nlohmann_json::nlohmann_json)
   endforeach()
   auslan_test(gltf_bake LABEL unit LIBRARIES auslan::gltf nlohmann_json::nlohmann_json

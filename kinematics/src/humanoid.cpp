@@ -160,19 +160,48 @@ constexpr Entry kRigify[] = {  // Blender's metarig and its deforming bones
     {kLeftMiddleProximal, "fmiddle01"}, {kLeftMiddleIntermediate, "fmiddle02"}, {kLeftMiddleDistal, "fmiddle03"},
     {kLeftRingProximal, "fring01"}, {kLeftRingIntermediate, "fring02"}, {kLeftRingDistal, "fring03"},
     {kLeftLittleProximal, "fpinky01"}, {kLeftLittleIntermediate, "fpinky02"}, {kLeftLittleDistal, "fpinky03"}};
+constexpr Entry kAuslanJam[] = {  // kNodeNames of skeleton.h
+    {kSpine, "spinebase"}, {kNeck, "neckbase"}, {kHead, "headbase"},
+    {kLeftUpperArm, "shoulder"}, {kLeftLowerArm, "elbow"}, {kLeftHand, "wrist"},
+    {kLeftThumbMetacarpal, "thumbcmc"}, {kLeftThumbProximal, "thumbmp"}, {kLeftThumbDistal, "thumbip"},
+    {kLeftIndexProximal, "indexmp"}, {kLeftIndexIntermediate, "indexpip"}, {kLeftIndexDistal, "indexdip"},
+    {kLeftMiddleProximal, "middlemp"}, {kLeftMiddleIntermediate, "middlepip"}, {kLeftMiddleDistal, "middledip"},
+    {kLeftRingProximal, "ringmp"}, {kLeftRingIntermediate, "ringpip"}, {kLeftRingDistal, "ringdip"},
+    {kLeftLittleProximal, "littlemp"}, {kLeftLittleIntermediate, "littlepip"}, {kLeftLittleDistal, "littledip"}};
+constexpr Entry kBiped[] = {  // 3ds Max: "Bip01 L Finger01"; the thumb is finger 0, the last digit counts its joints
+    {kHips, "pelvis"}, {kSpine, "spine"}, {kChest, "spine1"}, {kUpperChest, "spine2"}, {kNeck, "neck"}, {kHead, "head"},
+    {kLeftUpperLeg, "thigh"}, {kLeftLowerLeg, "calf"}, {kLeftFoot, "foot"}, {kLeftToes, "toe0"},
+    {kLeftShoulder, "clavicle"}, {kLeftUpperArm, "upperarm"}, {kLeftLowerArm, "forearm"}, {kLeftHand, "hand"},
+    {kLeftThumbMetacarpal, "finger0"}, {kLeftThumbProximal, "finger01"}, {kLeftThumbDistal, "finger02"},
+    {kLeftIndexProximal, "finger1"}, {kLeftIndexIntermediate, "finger11"}, {kLeftIndexDistal, "finger12"},
+    {kLeftMiddleProximal, "finger2"}, {kLeftMiddleIntermediate, "finger21"}, {kLeftMiddleDistal, "finger22"},
+    {kLeftRingProximal, "finger3"}, {kLeftRingIntermediate, "finger31"}, {kLeftRingDistal, "finger32"},
+    {kLeftLittleProximal, "finger4"}, {kLeftLittleIntermediate, "finger41"}, {kLeftLittleDistal, "finger42"}};
+constexpr Entry kCharacterCreator[] = {  // "CC_Base_L_Mid1"
+    {kHips, "hip"}, {kSpine, "waist"}, {kChest, "spine01"}, {kUpperChest, "spine02"}, {kNeck, "necktwist01"}, {kHead, "head"},
+    {kLeftEye, "eye"}, {kJaw, "jawroot"}, {kLeftUpperLeg, "thigh"}, {kLeftLowerLeg, "calf"}, {kLeftFoot, "foot"}, {kLeftToes, "toebase"},
+    {kLeftShoulder, "clavicle"}, {kLeftUpperArm, "upperarm"}, {kLeftLowerArm, "forearm"}, {kLeftHand, "hand"},
+    {kLeftThumbMetacarpal, "thumb1"}, {kLeftThumbProximal, "thumb2"}, {kLeftThumbDistal, "thumb3"},
+    {kLeftIndexProximal, "index1"}, {kLeftIndexIntermediate, "index2"}, {kLeftIndexDistal, "index3"},
+    {kLeftMiddleProximal, "mid1"}, {kLeftMiddleIntermediate, "mid2"}, {kLeftMiddleDistal, "mid3"},
+    {kLeftRingProximal, "ring1"}, {kLeftRingIntermediate, "ring2"}, {kLeftRingDistal, "ring3"},
+    {kLeftLittleProximal, "pinky1"}, {kLeftLittleIntermediate, "pinky2"}, {kLeftLittleDistal, "pinky3"}};
 // clang-format on
 
 struct Rig {
   std::string_view name;
   std::span<const Entry> entries;
 };
-constexpr std::array<Rig, 7> kRigs = {{{"Mixamo", kMixamo},
-                                       {"Unreal", kUnreal},
-                                       {"MakeHuman", kMakeHuman},
-                                       {"WebXR hand", kWebXr},
-                                       {"plain English", kSpokenNames},
-                                       {"VRM names", kRoleNames},
-                                       {"Rigify", kRigify}}};
+constexpr std::array<Rig, 10> kRigs = {{{"Mixamo", kMixamo},
+                                        {"Unreal", kUnreal},
+                                        {"MakeHuman", kMakeHuman},
+                                        {"WebXR hand", kWebXr},
+                                        {"plain English", kSpokenNames},
+                                        {"VRM names", kRoleNames},
+                                        {"Rigify", kRigify},
+                                        {"3ds Max Biped", kBiped},
+                                        {"Character Creator", kCharacterCreator},
+                                        {"Auslan Jam", kAuslanJam}}};
 constexpr int kFewestRoles = 4;
 
 /// The role on the right of one on the left, or nothing for a role that has no side.
