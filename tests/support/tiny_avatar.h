@@ -28,13 +28,13 @@ inline int add_floats(GlbDocument& document, const char* type, size_t count, con
     append_little_endian(bytes, value);
   const size_t view = document.add_view(bytes);
   document.json["accessors"].push_back(
-      {{"bufferView", view}, {"componentType", 5126}, {"count", count}, {"type", type}});
+      {{"bufferView", view}, {"byteOffset", 0}, {"componentType", 5126}, {"count", count}, {"type", type}});
   return static_cast<int>(document.json["accessors"].size()) - 1;
 }
 inline int add_bytes(GlbDocument& document, const char* type, size_t count, const std::string& bytes) {
   const size_t view = document.add_view(bytes);
   document.json["accessors"].push_back(
-      {{"bufferView", view}, {"componentType", 5121}, {"count", count}, {"type", type}});
+      {{"bufferView", view}, {"byteOffset", 0}, {"componentType", 5121}, {"count", count}, {"type", type}});
   return static_cast<int>(document.json["accessors"].size()) - 1;
 }
 
