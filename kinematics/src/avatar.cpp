@@ -24,6 +24,8 @@ std::string letters_of(std::string_view name) {
 /// Whether a morph target or expression is named as ARKit names the channel: "eyeBlinkLeft", "EyeBlink_L",
 /// "face.eyeBlinkLeft".
 bool is_named(std::string_view name, std::string_view channel) {
+  constexpr size_t kLongest = 256;
+  if (name.size() > kLongest) return false;
   const std::string found = letters_of(name);
   const std::string expected = letters_of(channel);
   if (found == expected) return true;

@@ -39,15 +39,21 @@ Side side_of_word(std::string_view word) {
   return Side::kNone;
 }
 
-PlainName plain(std::string_view name) {
+/// What exporters put after names: "mixamorig:LeftArm_09", "hand.l_Armature".
+enum class Ending : uint8_t { kKept, kDropped };
+
+PlainName plain(std::string_view name, Ending ending) {
   if (const size_t colon = name.rfind(':'); colon != std::string_view::npos) name.remove_prefix(colon + 1);
   PlainName result;
   std::string word;
+  size_t before_last_word = 0;
   const auto finish_word = [&] {
     if (const Side side = side_of_word(word); side != Side::kNone && result.side == Side::kNone)
       result.side = side;
-    else
+    else if (!word.empty()) {
+      before_last_word = result.text.size();
       result.text += word;
+    }
     word.clear();
   };
   for (size_t i = 0; i < name.size(); ++i) {
@@ -61,6 +67,7 @@ PlainName plain(std::string_view name) {
     word += lower(c);
   }
   finish_word();
+  if (ending == Ending::kDropped && before_last_word > 0) result.text.erase(before_last_word);
   for (const std::string_view prefix : kPrefixes)
     if (result.text.starts_with(prefix) && result.text.size() > prefix.size()) {
       result.text.erase(0, prefix.size());
@@ -243,22 +250,24 @@ std::optional<HumanRole> human_role(std::string_view name) {
 }
 
 NamedHumanoid humanoid_from_names(std::span<const NodeName> names) {
-  std::vector<PlainName> plain_names;
-  plain_names.reserve(names.size());
-  for (const NodeName& name : names) {
-    plain_names.push_back(plain(name.name));
-    plain_names.back().is_bone = name.is_bone;
-  }
-  const Side side_of_all = common_side(plain_names);
   NamedHumanoid best;
   best.node.fill(kNoNode);
   std::ptrdiff_t most = kFewestRoles - 1;
-  for (const Rig& rig : kRigs) {
-    const HumanNodes found = match(plain_names, rig.entries, side_of_all);
-    const std::ptrdiff_t roles = kHumanRoleCount - std::ranges::count(found, kNoNode);
-    if (roles <= most) continue;
-    most = roles;
-    best = {.rig = rig.name, .node = found};
+  for (const Ending ending : {Ending::kKept, Ending::kDropped}) {
+    std::vector<PlainName> plain_names;
+    plain_names.reserve(names.size());
+    for (const NodeName& name : names) {
+      plain_names.push_back(plain(name.name, ending));
+      plain_names.back().is_bone = name.is_bone;
+    }
+    const Side side_of_all = common_side(plain_names);
+    for (const Rig& rig : kRigs) {
+      const HumanNodes found = match(plain_names, rig.entries, side_of_all);
+      const std::ptrdiff_t roles = kHumanRoleCount - std::ranges::count(found, kNoNode);
+      if (roles <= most) continue;
+      most = roles;
+      best = {.rig = rig.name, .node = found};
+    }
   }
   return best;
 }

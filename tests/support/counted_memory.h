@@ -35,6 +35,16 @@ void* operator new(size_t size) {
 void* operator new[](size_t size) {
   return auslan::test::counted(size);
 }
+void* operator new(size_t size, const std::nothrow_t&) noexcept {
+  try {
+    return auslan::test::counted(size);
+  } catch (const std::bad_alloc&) {
+    return nullptr;
+  }
+}
+void operator delete(void* memory, const std::nothrow_t&) noexcept {
+  auslan::test::uncounted(memory);
+}
 void operator delete(void* memory) noexcept {
   auslan::test::uncounted(memory);
 }

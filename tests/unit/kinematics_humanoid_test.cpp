@@ -79,6 +79,20 @@ TEST(Humanoid, Mixamo) {
   }
 }
 
+TEST(Humanoid, EndingsThatExportersAdd) {
+  for (const std::string ending : {"_012", "_Armature", ".007"}) {
+    const NamedHumanoid found =
+        told(body({"mixamorig:Hips" + ending, "mixamorig:Spine" + ending, "mixamorig:Spine1" + ending, "Head" + ending},
+                  {"mixamorig:%ForeArm" + ending, "mixamorig:%HandIndex2" + ending}, "Left", "Right"));
+    EXPECT_EQ(found.rig, "Mixamo") << ending;
+    EXPECT_EQ(roles(found), 8) << ending;
+    const NamedHumanoid unreal =
+        told({"pelvis" + ending, "spine_01" + ending, "hand_l" + ending, "index_02_r" + ending});
+    EXPECT_EQ(unreal.rig, "Unreal") << ending;
+    EXPECT_EQ(node(unreal, kRightIndexIntermediate), 3) << ending;
+  }
+}
+
 TEST(Humanoid, UnrealManny) {
   const std::vector<std::string> names =
       body({"root", "pelvis", "spine_01", "spine_02", "spine_03", "spine_04", "spine_05", "neck_01", "neck_02", "head",

@@ -16,7 +16,7 @@ namespace auslan::gltf {
 namespace {
 
 constexpr size_t kMaxWarnings = 64;
-constexpr size_t kMaxPrimitives = 4096;  // of one mesh
+constexpr size_t kMaxPrimitives = 1024;  // of one mesh
 
 tl::unexpected<Error> malformed(std::string message, std::string place) {
   return fail(ErrorCode::kMalformed, std::move(message), std::move(place));
@@ -91,7 +91,10 @@ Result<void> read_influences(const tinygltf::Primitive& primitive, AccessorReade
           return malformed("a joint of a vertex is not a whole number", place);
         influences[4 * s + k] = {.weight = std::max(weights[s][4 * i + k], 0.0), .joint = static_cast<uint16_t>(joint)};
       }
-    std::ranges::stable_sort(influences, std::ranges::greater(), &Influence::weight);
+    // By insertion: eight, nearly in order, and equal ones stay as they are.
+    for (size_t k = 1; k < 4 * sets; ++k)
+      for (size_t m = k; m > 0 && influences[m].weight > influences[m - 1].weight; --m)
+        std::swap(influences[m], influences[m - 1]);
     double sum = 0.0;
     for (size_t k = 0; k < 4; ++k)
       sum += influences[k].weight;
@@ -297,7 +300,7 @@ Result<AvatarMesh> read_avatar_mesh(const tinygltf::Model& model, int index, Acc
   AvatarMesh mesh;
   mesh.name = source.name;
   if (source.primitives.size() > kMaxPrimitives)
-    return fail(ErrorCode::kLimit, "the mesh has more than 4096 parts; join those of one material", place);
+    return fail(ErrorCode::kLimit, "the mesh has more than 1024 parts; join those of one material", place);
   std::map<int, std::vector<std::pair<VertexKey, int>>> read_already;  // by the accessor of the positions
   size_t morphs = 0;
   for (const tinygltf::Primitive& primitive : source.primitives) {
