@@ -34,7 +34,8 @@ bool is_named(std::string_view name, std::string_view channel) {
   return false;
 }
 
-/// MakeHuman's face pose units and the channels they come near; `share` is the weight that a full channel gives.
+/// A morph target that comes near a channel; `share` is the weight that a full channel gives. One target for both sides
+/// of the face gets half from each channel.
 struct FaceUnit {
   FaceChannel channel;
   std::string_view morph;
@@ -43,31 +44,46 @@ struct FaceUnit {
 
 using enum FaceChannel;
 
-constexpr std::array<FaceUnit, 23> kMakeHumanUnits = {{{kBrowInnerUp, "LeftInnerBrowUp", 1.0},
-                                                       {kBrowInnerUp, "RightInnerBrowUp", 1.0},
-                                                       {kBrowOuterUpLeft, "LeftOuterBrowUp", 1.0},
-                                                       {kBrowOuterUpRight, "RightOuterBrowUp", 1.0},
-                                                       {kBrowDownLeft, "LeftBrowDown", 1.0},
-                                                       {kBrowDownRight, "RightBrowDown", 1.0},
-                                                       {kEyeBlinkLeft, "LeftUpperLidClosed", 1.0},
-                                                       {kEyeBlinkRight, "RightUpperLidClosed", 1.0},
-                                                       {kEyeWideLeft, "LeftUpperLidOpen", 1.0},
-                                                       {kEyeWideRight, "RightUpperLidOpen", 1.0},
-                                                       {kJawOpen, "JawDrop", 1.0},
-                                                       {kMouthPucker, "LipsKiss", 1.0},
-                                                       {kMouthSmileLeft, "MouthLeftPullUp", 1.0},
-                                                       {kMouthSmileRight, "MouthRightPullUp", 1.0},
-                                                       {kMouthFrownLeft, "MouthLeftPullDown", 1.0},
-                                                       {kMouthFrownRight, "MouthRightPullDown", 1.0},
-                                                       {kMouthStretchLeft, "MouthLeftPullSide", 1.0},
-                                                       {kMouthStretchRight, "MouthRightPullSide", 1.0},
-                                                       // One unit for both sides of the lip: half from each channel.
-                                                       {kMouthLowerDownLeft, "lowerLipDown", 0.5},
-                                                       {kMouthLowerDownRight, "lowerLipDown", 0.5},
-                                                       {kMouthUpperUpLeft, "UpperLipUp", 0.5},
-                                                       {kMouthUpperUpRight, "UpperLipUp", 0.5},
-                                                       {kCheekPuff, "CheeksPump", 1.0}}};
-constexpr FaceUnit kMakeHumanTongue = {kTongueOut, "TongueOut", 1.0};
+// clang-format off
+constexpr FaceUnit kMakeHumanUnits[] = {  // face pose units
+    {kBrowInnerUp, "LeftInnerBrowUp", 1.0}, {kBrowInnerUp, "RightInnerBrowUp", 1.0},
+    {kBrowOuterUpLeft, "LeftOuterBrowUp", 1.0}, {kBrowOuterUpRight, "RightOuterBrowUp", 1.0},
+    {kBrowDownLeft, "LeftBrowDown", 1.0}, {kBrowDownRight, "RightBrowDown", 1.0},
+    {kEyeBlinkLeft, "LeftUpperLidClosed", 1.0}, {kEyeBlinkRight, "RightUpperLidClosed", 1.0},
+    {kEyeWideLeft, "LeftUpperLidOpen", 1.0}, {kEyeWideRight, "RightUpperLidOpen", 1.0},
+    {kJawOpen, "JawDrop", 1.0}, {kMouthPucker, "LipsKiss", 1.0},
+    {kMouthSmileLeft, "MouthLeftPullUp", 1.0}, {kMouthSmileRight, "MouthRightPullUp", 1.0},
+    {kMouthFrownLeft, "MouthLeftPullDown", 1.0}, {kMouthFrownRight, "MouthRightPullDown", 1.0},
+    {kMouthStretchLeft, "MouthLeftPullSide", 1.0}, {kMouthStretchRight, "MouthRightPullSide", 1.0},
+    {kMouthLowerDownLeft, "lowerLipDown", 0.5}, {kMouthLowerDownRight, "lowerLipDown", 0.5},
+    {kMouthUpperUpLeft, "UpperLipUp", 0.5}, {kMouthUpperUpRight, "UpperLipUp", 0.5},
+    {kCheekPuff, "CheeksPump", 1.0}, {kTongueOut, "TongueOut", 1.0}};
+constexpr FaceUnit kVroidUnits[] = {  // VRoid Studio, most often behind a prefix: "Face.M_F00_000_00_Fcl_MTH_A"
+    {kBrowInnerUp, "Fcl_BRW_Sorrow", 1.0},
+    {kBrowOuterUpLeft, "Fcl_BRW_Surprised", 0.5}, {kBrowOuterUpRight, "Fcl_BRW_Surprised", 0.5},
+    {kBrowDownLeft, "Fcl_BRW_Angry", 0.5}, {kBrowDownRight, "Fcl_BRW_Angry", 0.5},
+    {kEyeBlinkLeft, "Fcl_EYE_Close_L", 1.0}, {kEyeBlinkRight, "Fcl_EYE_Close_R", 1.0},
+    {kEyeWideLeft, "Fcl_EYE_Spread", 0.5}, {kEyeWideRight, "Fcl_EYE_Spread", 0.5},
+    {kJawOpen, "Fcl_MTH_A", 1.0}, {kMouthPucker, "Fcl_MTH_U", 1.0}, {kMouthFunnel, "Fcl_MTH_O", 1.0},
+    {kMouthStretchLeft, "Fcl_MTH_I", 0.5}, {kMouthStretchRight, "Fcl_MTH_I", 0.5},
+    {kMouthSmileLeft, "Fcl_MTH_Fun", 0.5}, {kMouthSmileRight, "Fcl_MTH_Fun", 0.5},
+    {kMouthFrownLeft, "Fcl_MTH_Down", 0.5}, {kMouthFrownRight, "Fcl_MTH_Down", 0.5}};
+constexpr FaceUnit kVisemeUnits[] = {  // Oculus visemes and what Ready Player Me puts beside them
+    {kJawOpen, "mouthOpen", 1.0}, {kJawOpen, "viseme_aa", 1.0},
+    {kMouthPucker, "viseme_U", 1.0}, {kMouthFunnel, "viseme_O", 1.0},
+    {kMouthStretchLeft, "viseme_I", 0.5}, {kMouthStretchRight, "viseme_I", 0.5},
+    {kMouthPressLeft, "viseme_PP", 0.5}, {kMouthPressRight, "viseme_PP", 0.5},
+    {kMouthSmileLeft, "mouthSmile", 0.5}, {kMouthSmileRight, "mouthSmile", 0.5},
+    {kEyeBlinkLeft, "eyesClosed", 0.5}, {kEyeBlinkRight, "eyesClosed", 0.5}};
+// clang-format on
+constexpr std::array<std::span<const FaceUnit>, 3> kFaceUnits = {kMakeHumanUnits, kVroidUnits, kVisemeUnits};
+
+/// Whether a name is that of a unit, alone or behind a prefix that ends in a mark.
+bool is_unit(std::string_view name, std::string_view unit) {
+  if (!name.ends_with(unit)) return false;
+  const size_t before = name.size() - unit.size();
+  return before == 0 || std::string_view("._:").find(name[before - 1]) != std::string_view::npos;
+}
 
 /// Expressions of VRM that come near a channel, the nearest first. They move more of the face than the channel does.
 struct Stand {
@@ -138,12 +154,15 @@ void drive_face(Avatar& avatar) {
     for (const AvatarExpression& expression : avatar.expressions)
       if (is_named(expression.name, channel)) drive_by_expression(expression, 1.0, drive);
     if (drive.means != FaceDrive::Means::kNone) continue;
-    const auto add_unit = [&](const FaceUnit& unit) {
-      if (static_cast<size_t>(unit.channel) == c)
-        add_binds(avatar, drive, unit.share, [&](std::string_view name) { return name == unit.morph; });
-    };
-    std::ranges::for_each(kMakeHumanUnits, add_unit);
-    add_unit(kMakeHumanTongue);
+    for (const std::span<const FaceUnit> units : kFaceUnits) {
+      std::string_view taken;  // of several units for one side of the face, the first that occurs
+      for (const FaceUnit& unit : units) {
+        if (static_cast<size_t>(unit.channel) != c || (!taken.empty() && unit.channel != kBrowInnerUp)) continue;
+        add_binds(avatar, drive, unit.share, [&](std::string_view name) { return is_unit(name, unit.morph); });
+        if (!drive.binds.empty()) taken = unit.morph;
+      }
+      if (drive.means != FaceDrive::Means::kNone) break;
+    }
   }
   for (const Stand& stand : kStands) {
     // Both channels of a pair take half of an expression that moves both sides.

@@ -39,20 +39,22 @@ Side side_of_word(std::string_view word) {
   return Side::kNone;
 }
 
-/// What exporters put after names: "mixamorig:LeftArm_09", "hand.l_Armature".
-enum class Ending : uint8_t { kKept, kDropped };
+/// What exporters put round names: "mixamorig:LeftArm_09", "hand.l_Armature", "Character1_LeftArm".
+enum class Trim : uint8_t { kNothing, kLastWord, kFirstWord };
 
-PlainName plain(std::string_view name, Ending ending) {
+PlainName plain(std::string_view name, Trim trim) {
   if (const size_t colon = name.rfind(':'); colon != std::string_view::npos) name.remove_prefix(colon + 1);
   PlainName result;
   std::string word;
   size_t before_last_word = 0;
+  size_t after_first_word = 0;
   const auto finish_word = [&] {
     if (const Side side = side_of_word(word); side != Side::kNone && result.side == Side::kNone)
       result.side = side;
     else if (!word.empty()) {
       before_last_word = result.text.size();
       result.text += word;
+      if (after_first_word == 0) after_first_word = word.size();
     }
     word.clear();
   };
@@ -67,7 +69,8 @@ PlainName plain(std::string_view name, Ending ending) {
     word += lower(c);
   }
   finish_word();
-  if (ending == Ending::kDropped && before_last_word > 0) result.text.erase(before_last_word);
+  if (trim == Trim::kLastWord && before_last_word > 0) result.text.erase(before_last_word);
+  if (trim == Trim::kFirstWord && before_last_word > 0) result.text.erase(0, after_first_word);
   for (const std::string_view prefix : kPrefixes)
     if (result.text.starts_with(prefix) && result.text.size() > prefix.size()) {
       result.text.erase(0, prefix.size());
@@ -253,11 +256,11 @@ NamedHumanoid humanoid_from_names(std::span<const NodeName> names) {
   NamedHumanoid best;
   best.node.fill(kNoNode);
   std::ptrdiff_t most = kFewestRoles - 1;
-  for (const Ending ending : {Ending::kKept, Ending::kDropped}) {
+  for (const Trim trim : {Trim::kNothing, Trim::kLastWord, Trim::kFirstWord}) {
     std::vector<PlainName> plain_names;
     plain_names.reserve(names.size());
     for (const NodeName& name : names) {
-      plain_names.push_back(plain(name.name, ending));
+      plain_names.push_back(plain(name.name, trim));
       plain_names.back().is_bone = name.is_bone;
     }
     const Side side_of_all = common_side(plain_names);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace auslan {
@@ -233,6 +234,23 @@ TEST(AvatarReader, MorphNamesOfArkitAreKnownInEverySpelling) {
     EXPECT_EQ(face(avatar, FaceChannel::kEyeBlinkRight).means, FaceDrive::Means::kNone) << name;
     EXPECT_EQ(face(avatar, FaceChannel::kJawOpen).source, "aa") << name;
   }
+}
+
+TEST(AvatarReader, MorphNamesOfVroidAndOculusComeNearChannels) {
+  for (const auto& [name, channel, share] : {std::tuple("Face.M_F00_000_00_Fcl_MTH_A", FaceChannel::kJawOpen, 1.0),
+                                             std::tuple("Fcl_EYE_Close_R", FaceChannel::kEyeBlinkRight, 1.0),
+                                             std::tuple("Fcl_MTH_Fun", FaceChannel::kMouthSmileLeft, 0.5),
+                                             std::tuple("viseme_PP", FaceChannel::kMouthPressRight, 0.5)}) {
+    GlbDocument document = tiny_avatar(Avatar::Kind::kGltf);
+    document.json["meshes"][0]["extras"]["targetNames"] = {name};
+    const Avatar avatar = read(document);
+    EXPECT_EQ(face(avatar, channel).means, FaceDrive::Means::kMorph) << name;
+    ASSERT_EQ(face(avatar, channel).binds.size(), 1U) << name;
+    EXPECT_EQ(face(avatar, channel).binds[0].weight, share) << name;
+  }
+  GlbDocument document = tiny_avatar(Avatar::Kind::kGltf);
+  document.json["meshes"][0]["extras"]["targetNames"] = {"noFcl_MTH_A"};
+  EXPECT_EQ(face(read(document), FaceChannel::kJawOpen).means, FaceDrive::Means::kNone);
 }
 
 }  // namespace

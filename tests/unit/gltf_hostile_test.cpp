@@ -3,6 +3,7 @@
 #include "counted_memory.h"
 #include "glb_document.h"
 #include "kinematics/figure_file.h"
+#include "sample_avatars.h"
 
 #include <filesystem>
 #include <gtest/gtest.h>
@@ -361,7 +362,7 @@ TEST_F(GltfHostile, ZerosAndRepetitionsHaveABound) {
 }
 
 TEST(GltfAvatars, ForeignAvatarsAreReadOrRefusedWithAReason) {
-  const std::filesystem::path folder = std::filesystem::path(AUSLANJAM_SOURCE_DIR) / "../shared/avatars";
+  const std::filesystem::path folder = test::sample_avatar("");
   if (!std::filesystem::is_directory(folder)) GTEST_SKIP() << "the folder of sample avatars is not there: " << folder;
   int files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {

@@ -93,6 +93,17 @@ TEST(Humanoid, EndingsThatExportersAdd) {
   }
 }
 
+TEST(Humanoid, FirstWordsThatExportersAdd) {
+  const NamedHumanoid character = told(body({"Character1_Hips", "Character1_Spine", "Character1_Head"},
+                                            {"Character1_%ForeArm", "Character1_%HandIndex2"}, "Left", "Right"));
+  EXPECT_EQ(character.rig, "Mixamo");
+  EXPECT_EQ(roles(character), 7);
+  const NamedHumanoid biped = told(body({"ValveBiped.Bip01_Pelvis", "ValveBiped.Bip01_Spine"},
+                                        {"ValveBiped.Bip01_%_Forearm", "ValveBiped.Bip01_%_Finger12"}, "L", "R"));
+  EXPECT_EQ(biped.rig, "3ds Max Biped");
+  EXPECT_EQ(roles(biped), 6);
+}
+
 TEST(Humanoid, UnrealManny) {
   const std::vector<std::string> names =
       body({"root", "pelvis", "spine_01", "spine_02", "spine_03", "spine_04", "spine_05", "neck_01", "neck_02", "head",

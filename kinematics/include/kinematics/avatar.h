@@ -134,8 +134,8 @@ inline constexpr double kMaxAvatarExtent = 1e6;
 /// Triangles of all nodes that show a mesh.
 size_t triangle_count(const Avatar& avatar);
 
-/// Fills `face` from morph targets that bear ARKit's names or MakeHuman's, and for channels that have none from the
-/// expressions, of which some are rough (the jaw opens with "aa").
+/// Fills `face` from morph targets that bear ARKit's names, else those of MakeHuman, VRoid or Oculus' visemes, and for
+/// channels that have none from the expressions, of which some are rough (the jaw opens with "aa").
 void drive_face(Avatar& avatar);
 
 }  // namespace auslan

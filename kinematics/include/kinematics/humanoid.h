@@ -72,9 +72,9 @@ struct NamedHumanoid {
 };
 
 /// Compares the names of all nodes with those of the rigs known here and takes the rig that explains most roles; fewer
-/// than four are taken for chance. Capitals, separators, prefixes as "mixamorig:", endings as "_012" and the way a side
-/// is marked do not count. Hands whose nodes do not name their side (WebXR) take it from any other node that does, as
-/// "l_handMeshNode".
+/// than four are taken for chance. Capitals, separators, prefixes as "mixamorig:", words before or after as in
+/// "Armature_Hand_012" and the way a side is marked do not count. Hands whose nodes do not name their side (WebXR) take
+/// it from any other node that does, as "l_handMeshNode".
 NamedHumanoid humanoid_from_names(std::span<const NodeName> names);
 
 }  // namespace auslan
