@@ -39,3 +39,6 @@ find_package(nlohmann_json REQUIRED)
 auslan_test(programs_bench LABEL unit LIBRARIES auslan::raster nlohmann_json::nlohmann_json
   DEFINITIONS AUSLANJAM_PROGRAM="$<TARGET_FILE:auslanjam>")
 add_dependencies(programs_bench_test auslanjam auslan_baked_figure auslan_built_lexicon)
+auslan_test(programs_avatar LABEL unit LIBRARIES auslan::gltf nlohmann_json::nlohmann_json
+  DEFINITIONS AUSLANJAM_PROGRAM="$<TARGET_FILE:auslanjam>")
+add_dependencies(programs_avatar_test auslanjam)

@@ -1,58 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Broken and hostile files: each is refused with the right code, without a crash and without much memory.
+#include "counted_memory.h"
 #include "glb_document.h"
 #include "kinematics/figure_file.h"
+#include "sample_avatars.h"
 
-#include <atomic>
-#include <cstdlib>
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <limits>
-#include <malloc.h>
-#include <new>
 #include <string>
 #include <sys/stat.h>
 #include <vector>
-
-namespace {
-
-// Every allocation of this program and of the libraries it loads, in bytes.
-std::atomic<size_t> live_bytes{0};
-std::atomic<size_t> peak_bytes{0};
-
-void* counted(size_t size) {
-  void* memory = std::malloc(size == 0 ? 1 : size);
-  if (memory == nullptr) throw std::bad_alloc();
-  const size_t live = live_bytes += malloc_usable_size(memory);
-  if (live > peak_bytes) peak_bytes = live;
-  return memory;
-}
-
-void uncounted(void* memory) noexcept {
-  if (memory != nullptr) live_bytes -= malloc_usable_size(memory);
-  std::free(memory);
-}
-
-}  // namespace
-
-void* operator new(size_t size) {
-  return counted(size);
-}
-void* operator new[](size_t size) {
-  return counted(size);
-}
-void operator delete(void* memory) noexcept {
-  uncounted(memory);
-}
-void operator delete[](void* memory) noexcept {
-  uncounted(memory);
-}
-void operator delete(void* memory, size_t) noexcept {
-  uncounted(memory);
-}
-void operator delete[](void* memory, size_t) noexcept {
-  uncounted(memory);
-}
 
 namespace auslan {
 namespace {
@@ -60,8 +18,10 @@ namespace {
 using nlohmann::json;
 using test::glb_bytes;
 using test::GlbDocument;
+using test::live_bytes;
 using test::open_glb;
 using test::parse_text;
+using test::peak_bytes;
 using test::tiny_figure;
 
 class GltfHostile : public testing::Test {
@@ -402,7 +362,7 @@ TEST_F(GltfHostile, ZerosAndRepetitionsHaveABound) {
 }
 
 TEST(GltfAvatars, ForeignAvatarsAreReadOrRefusedWithAReason) {
-  const std::filesystem::path folder = std::filesystem::path(AUSLANJAM_SOURCE_DIR) / "../shared/avatars";
+  const std::filesystem::path folder = test::sample_avatar("");
   if (!std::filesystem::is_directory(folder)) GTEST_SKIP() << "the folder of sample avatars is not there: " << folder;
   int files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {

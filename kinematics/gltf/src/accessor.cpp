@@ -5,6 +5,7 @@
 #include "kinematics/little_endian.h"
 #include "light_encoding.h"
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <tiny_gltf.h>
@@ -23,8 +24,10 @@ tl::unexpected<Error> malformed(std::string message, std::string place) {
 /// Bytes of the component types that figures use; 0 for any other.
 size_t component_bytes(int component_type) {
   switch (component_type) {
+    case kByte:
     case kUnsignedByte:
       return 1;
+    case kShort:
     case kUnsignedShort:
       return 2;
     case kUnsignedInt:
@@ -39,10 +42,14 @@ size_t component_count(int type) {
   switch (type) {
     case TINYGLTF_TYPE_SCALAR:
       return 1;
+    case TINYGLTF_TYPE_VEC2:
+      return 2;
     case TINYGLTF_TYPE_VEC3:
       return 3;
     case TINYGLTF_TYPE_VEC4:
       return 4;
+    case TINYGLTF_TYPE_MAT4:
+      return 16;
     default:
       return 0;
   }
@@ -50,8 +57,12 @@ size_t component_count(int type) {
 
 double load_component(const unsigned char* at, int component_type) {
   switch (component_type) {
+    case kByte:
+      return static_cast<int8_t>(*at);
     case kUnsignedByte:
       return *at;
+    case kShort:
+      return load_little_endian<int16_t>(at);
     case kUnsignedShort:
       return load_little_endian<uint16_t>(at);
     case kUnsignedInt:
@@ -59,6 +70,26 @@ double load_component(const unsigned char* at, int component_type) {
     default:
       return static_cast<double>(load_little_endian<float>(at));
   }
+}
+
+/// What a normalised integer of that type is a fraction of; 1 for floats.
+double whole_of(int component_type) {
+  switch (component_type) {
+    case kByte:
+      return 127.0;
+    case kUnsignedByte:
+      return 255.0;
+    case kShort:
+      return 32767.0;
+    case kUnsignedShort:
+      return 65535.0;
+    default:
+      return 1.0;
+  }
+}
+
+bool is_unsigned_integer(int component_type) {
+  return component_type == kUnsignedByte || component_type == kUnsignedShort || component_type == kUnsignedInt;
 }
 
 void load_elements(const unsigned char* data, size_t stride, int component_type, size_t components,
@@ -144,8 +175,7 @@ Result<AccessorReader::Numbers> AccessorReader::base(const tinygltf::Accessor& a
 Result<std::vector<uint32_t>> AccessorReader::sparse_indices(const tinygltf::Accessor& accessor,
                                                              const std::string& place) {
   const int type = accessor.sparse.indices.componentType;
-  if (type != kUnsignedByte && type != kUnsignedShort && type != kUnsignedInt)
-    return malformed("sparse indices must be unsigned integers", place);
+  if (!is_unsigned_integer(type)) return malformed("sparse indices must be unsigned integers", place);
   if (accessor.sparse.count < 1 || static_cast<size_t>(accessor.sparse.count) > accessor.count ||
       accessor.sparse.indices.byteOffset < 0)
     return malformed("the sparse part has an impossible count or offset", place);
@@ -206,7 +236,7 @@ Result<std::vector<glm::vec3>> AccessorReader::vectors(int accessor) {
 Result<std::vector<uint32_t>> AccessorReader::indices(int accessor) {
   const auto read = numbers(accessor);
   if (!read) return tl::unexpected<Error>(read.error());
-  if (read->component_type == kFloat || read->components != 1)
+  if (!is_unsigned_integer(read->component_type) || read->components != 1)
     return malformed("indices must be SCALAR unsigned integers", place_of(accessor));
   std::vector<uint32_t> indices(read->values.size());
   for (size_t i = 0; i < indices.size(); ++i)
@@ -218,11 +248,12 @@ Result<std::vector<glm::u8vec4>> AccessorReader::colours(int accessor, const glm
   const auto read = numbers(accessor);
   if (!read) return tl::unexpected<Error>(read.error());
   const bool is_float = read->component_type == kFloat;
-  if (read->components < 3 || read->component_type == kUnsignedInt ||
+  const bool is_small = read->component_type == kUnsignedByte || read->component_type == kUnsignedShort;
+  if (read->components < 3 || read->components > 4 || (!is_float && !is_small) ||
       (!is_float && !model_.accessors[static_cast<size_t>(accessor)].normalized))
     return malformed("COLOR_0 must be VEC3 or VEC4 of floats or of normalised 8- or 16-bit integers",
                      place_of(accessor));
-  const double whole = is_float ? 1.0 : read->component_type == kUnsignedByte ? 255.0 : 65535.0;
+  const double whole = whole_of(read->component_type);
   std::vector<glm::u8vec4> colours(read->values.size() / read->components);
   for (size_t i = 0; i < colours.size(); ++i) {
     colours[i].w = 255;
@@ -235,33 +266,53 @@ Result<std::vector<glm::u8vec4>> AccessorReader::colours(int accessor, const glm
   return colours;
 }
 
-Result<Morph> AccessorReader::displacement(int accessor, FaceChannel channel, size_t vertices) {
+Result<std::vector<double>> AccessorReader::elements(int accessor, size_t components) {
+  auto read = numbers(accessor);
+  if (!read) return tl::unexpected<Error>(std::move(read.error()));
+  if (read->components != components || read->component_type == kUnsignedInt)
+    return malformed("the accessor has the wrong type for its use", place_of(accessor));
+  const bool is_fraction = model_.accessors[static_cast<size_t>(accessor)].normalized;
+  const double whole = is_fraction ? whole_of(read->component_type) : 1.0;
+  for (double& value : read->values) {
+    if (!std::isfinite(value)) return malformed("a number is not finite", place_of(accessor));
+    value = whole == 1.0 ? value : std::max(value / whole, -1.0);
+  }
+  return std::move(read->values);
+}
+
+Result<SparseVectors> AccessorReader::displacements(int accessor, size_t vertices) {
   const std::string place = place_of(accessor);
   const auto found = find(accessor);
   if (!found) return tl::unexpected<Error>(found.error());
   if ((*found)->count != vertices) return malformed("a morph target needs one displacement a vertex", place);
-  Morph morph;
-  morph.channel = channel;
-  if ((*found)->bufferView < 0 && (*found)->sparse.isSparse) {
+  SparseVectors result;
+  if ((*found)->bufferView < 0 && (*found)->sparse.isSparse && (*found)->componentType == kFloat) {
     auto indices = sparse_indices(**found, place);
     if (!indices) return tl::unexpected<Error>(std::move(indices.error()));
     const auto values = sparse_values(**found, place);
     if (!values) return tl::unexpected<Error>(values.error());
-    if (values->component_type != kFloat || values->components != 3)
-      return malformed("displacements must be VEC3 of floats", place);
-    morph.vertices = *std::move(indices);
-    for (size_t i = 0; i < morph.vertices.size(); ++i)
-      morph.displacement.push_back(vector_at(values->values, i));
-    return morph;
+    if (values->components != 3) return malformed("displacements must be VEC3 of floats", place);
+    result.vertices = *std::move(indices);
+    for (size_t i = 0; i < result.vertices.size(); ++i)
+      result.values.push_back(vector_at(values->values, i));
+    return result;
   }
-  const auto dense = vectors(accessor);
+  if ((*found)->bufferView < 0 && !(*found)->sparse.isSparse) return result;  // zeros that take no room
+  const auto dense = elements(accessor, 3);
   if (!dense) return tl::unexpected<Error>(dense.error());
-  for (size_t i = 0; i < dense->size(); ++i) {
-    if ((*dense)[i] == glm::vec3(0.0F)) continue;
-    morph.vertices.push_back(static_cast<uint32_t>(i));
-    morph.displacement.push_back((*dense)[i]);
+  for (size_t i = 0; i < vertices; ++i) {
+    const glm::vec3 value = vector_at(*dense, i);
+    if (value == glm::vec3(0.0F)) continue;
+    result.vertices.push_back(static_cast<uint32_t>(i));
+    result.values.push_back(value);
   }
-  return morph;
+  return result;
+}
+
+Result<Morph> AccessorReader::displacement(int accessor, FaceChannel channel, size_t vertices) {
+  auto read = displacements(accessor, vertices);
+  if (!read) return tl::unexpected<Error>(std::move(read.error()));
+  return Morph{.channel = channel, .vertices = std::move(read->vertices), .displacement = std::move(read->values)};
 }
 
 }  // namespace auslan::gltf

@@ -18,6 +18,12 @@ struct Accessor;
 
 namespace auslan::gltf {
 
+/// The vectors of some vertices, which ascend.
+struct SparseVectors {
+  std::vector<uint32_t> vertices;
+  std::vector<glm::vec3> values;
+};
+
 /// Reads the accessors of one model, up to a bound on what they hold together: accessors may be shared and may stand
 /// for zeros, so a short file can ask for any amount. Errors: kMalformed, kLimit, kUnsupported; `place` is the
 /// accessor.
@@ -30,10 +36,15 @@ class AccessorReader {
   Result<std::vector<glm::vec3>> vectors(int accessor);
   /// Unsigned integers.
   Result<std::vector<uint32_t>> indices(int accessor);
+  /// Elements of `components` numbers each: floats, or integers of 8 or 16 bits, which are fractions of their largest
+  /// value where the accessor is normalised. All finite.
+  Result<std::vector<double>> elements(int accessor, size_t components);
   /// VEC3 or VEC4 of normalised integers or floats in linear light, times `factor`, as sRGB; alpha is dropped.
   Result<std::vector<glm::u8vec4>> colours(int accessor, const glm::dvec3& factor);
   /// VEC3 of floats for `vertices` vertices: those that a purely sparse accessor lists, else those that are not zero.
   Result<Morph> displacement(int accessor, FaceChannel channel, size_t vertices);
+  /// The same without a channel, and of quantised displacements too.
+  Result<SparseVectors> displacements(int accessor, size_t vertices);
 
  private:
   struct Numbers {

@@ -7,6 +7,7 @@
 #include "kinematics/whole_file.h"
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <system_error>
 #include <utility>
@@ -155,19 +156,19 @@ Result<void> check_images(const Json& images, const Json& views, const Json& buf
   return {};
 }
 
-Result<void> check_version_and_extensions(const Json& document) {
+Result<void> check_version_and_extensions(const Json& document, std::span<const std::string_view> known) {
   const Json& version = member(member(document, "asset"), "version");
   if (!version.is_string()) return malformed("asset.version is missing; this is not glTF", "asset");
   if (!version.get_ref<const std::string&>().starts_with("2."))
     return fail(ErrorCode::kUnsupported, "this is not glTF 2; export it again as glTF 2.0", "asset");
   const auto required = list(document, "extensionsRequired");
   if (!required) return tl::unexpected<Error>(required.error());
-  if (!(*required)->empty()) {
-    const Json& first = (*required)->front();
-    return fail(ErrorCode::kUnsupported,
-                "the file requires " + (first.is_string() ? first.get<std::string>() : "an extension") +
-                    ", which is not read; export without extensions or compression",
-                "extensionsRequired");
+  for (const Json& extension : **required) {
+    const std::string name = extension.is_string() ? extension.get<std::string>() : "an extension";
+    if (std::ranges::find(known, name) == known.end())
+      return fail(ErrorCode::kUnsupported,
+                  "the file requires " + name + ", which is not read; export without extensions or compression",
+                  "extensionsRequired");
   }
   return {};
 }
@@ -212,12 +213,12 @@ Result<Container> open_container(std::string_view bytes) {
   return container;
 }
 
-Result<void> check_document(const Container& container) {
+Result<void> check_document(const Container& container, std::span<const std::string_view> known) {
   if (auto scanned = scan_json(container.json); !scanned) return scanned;
   try {
     const Json document = Json::parse(container.json);
     if (!document.is_object()) return malformed("the JSON is not an object", byte(0));
-    if (auto checked = check_version_and_extensions(document); !checked) return checked;
+    if (auto checked = check_version_and_extensions(document, known); !checked) return checked;
     const auto buffers = list(document, "buffers");
     const auto views = list(document, "bufferViews");
     const auto images = list(document, "images");
@@ -230,12 +231,20 @@ Result<void> check_document(const Container& container) {
   }
 }
 
+bool is_png(const unsigned char* bytes, size_t size) {
+  constexpr std::array<unsigned char, 8> kMagic = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+  return size >= kMagic.size() && std::equal(kMagic.begin(), kMagic.end(), bytes);
+}
+
+bool is_jpeg(const unsigned char* bytes, size_t size) {
+  return size >= 2 && bytes[0] == 0xFF && bytes[1] == 0xD8;
+}
+
 bool is_image_too_large(const unsigned char* bytes, size_t size) {
   constexpr size_t kPngHeaderBytes = 24;
-  const std::string_view text(static_cast<const char*>(static_cast<const void*>(bytes)), size);
-  if (text.starts_with("\x89PNG\r\n\x1a\n"))
+  if (is_png(bytes, size))
     return size >= kPngHeaderBytes && std::max(big_endian(bytes + 16, 4), big_endian(bytes + 20, 4)) > kMaxImageSide;
-  if (!text.starts_with("\xFF\xD8")) return false;
+  if (!is_jpeg(bytes, size)) return false;
   for (size_t at = 2; at + 9 <= size && bytes[at] == 0xFF;) {
     const unsigned char marker = bytes[at + 1];
     const bool is_frame = marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;

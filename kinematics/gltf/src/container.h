@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,9 +31,12 @@ struct Container {
 Result<Container> open_container(std::string_view bytes);
 
 /// Depth and number of values of the JSON part, sizes and URIs of buffers, the bytes of images, version and required
-/// extensions. Errors: kMalformed, kLimit, kUnsupported; `place` is the byte offset or the part of the document.
-Result<void> check_document(const Container& container);
+/// extensions, of which only those `known` pass. Errors: kMalformed, kLimit, kUnsupported; `place` is the byte offset
+/// or the part of the document.
+Result<void> check_document(const Container& container, std::span<const std::string_view> known = {});
 
+bool is_png(const unsigned char* bytes, size_t size);
+bool is_jpeg(const unsigned char* bytes, size_t size);
 /// Whether the bytes of a PNG or JPEG state a side longer than kMaxImageSide. Other formats are not looked into.
 bool is_image_too_large(const unsigned char* bytes, size_t size);
 

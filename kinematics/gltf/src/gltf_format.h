@@ -15,7 +15,9 @@ inline constexpr size_t kChunkHeaderBytes = 8;
 inline constexpr uint32_t kJsonChunk = 0x4E4F534A;
 inline constexpr uint32_t kBinaryChunk = 0x004E4942;
 
+inline constexpr int kByte = 5120;
 inline constexpr int kUnsignedByte = 5121;
+inline constexpr int kShort = 5122;
 inline constexpr int kUnsignedShort = 5123;
 inline constexpr int kUnsignedInt = 5125;
 inline constexpr int kFloat = 5126;
@@ -23,5 +25,7 @@ inline constexpr int kFloat = 5126;
 inline constexpr int kArrayBuffer = 34962;
 inline constexpr int kElementArrayBuffer = 34963;
 inline constexpr int kTriangles = 4;
+inline constexpr int kTriangleStrip = 5;
+inline constexpr int kTriangleFan = 6;
 
 }  // namespace auslan::gltf

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "accessor.h"
-#include "container.h"
 #include "gltf/figure_gltf.h"
 #include "gltf_format.h"
 #include "kinematics/figure_file.h"
 #include "kinematics/whole_file.h"
+#include "load_model.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <new>
 #include <numeric>
 #include <optional>
 #include <string>
-#include <tiny_gltf.h>
 #include <utility>
 
 namespace auslan {
 namespace {
+
+using gltf::place_of;
 
 /// How far from the identity a rest rotation may lie: the rounding of exporters that compose matrices in float.
 constexpr double kIdentityTolerance = 1e-6;
@@ -28,55 +28,6 @@ tl::unexpected<Error> malformed(std::string message, std::string place) {
 
 tl::unexpected<Error> unsupported(std::string message, std::string place) {
   return fail(ErrorCode::kUnsupported, std::move(message), std::move(place));
-}
-
-std::string place_of(const char* list, int index, const std::string& name) {
-  return std::string(list) + "[" + std::to_string(index) + "]" + (name.empty() ? "" : " (" + name + ")");
-}
-
-// What tinygltf calls in place of its own file and image functions.
-
-bool file_exists(const std::string& path, void* folder) {
-  return static_cast<gltf::Folder*>(folder)->holds(path);
-}
-std::string keep_path(const std::string& path, void*) {
-  return path;
-}
-bool read_file(std::vector<unsigned char>* bytes, std::string*, const std::string& path, void* folder) {
-  return static_cast<gltf::Folder*>(folder)->read(path, *bytes);
-}
-bool refuse_to_write(std::string*, const std::string&, const std::vector<unsigned char>&, void*) {
-  return false;
-}
-
-bool look_at_image(tinygltf::Image*, int index, std::string*, std::string*, int, int, const unsigned char* bytes,
-                   int size, void* error) {
-  if (size < 0 || !gltf::is_image_too_large(bytes, static_cast<size_t>(size))) return true;
-  *static_cast<std::optional<Error>*>(error) = Error{
-      ErrorCode::kLimit, "the image is wider or taller than 8192 pixels; scale it down", place_of("images", index, "")};
-  return false;
-}
-
-Result<tinygltf::Model> parse_model(std::string_view bytes, bool is_glb, const std::filesystem::path& path_of_folder) {
-  gltf::Folder folder(path_of_folder);
-  std::optional<Error> image_error;
-  tinygltf::TinyGLTF loader;
-  loader.SetFsCallbacks({&file_exists, &keep_path, &read_file, &refuse_to_write, &folder});
-  loader.SetImageLoader(&look_at_image, &image_error);
-  tinygltf::Model model;
-  std::string error;
-  std::string warning;
-  const auto size = static_cast<unsigned>(bytes.size());
-  const bool is_loaded =
-      is_glb ? loader.LoadBinaryFromMemory(&model, &error, &warning,
-                                           static_cast<const unsigned char*>(static_cast<const void*>(bytes.data())),
-                                           size, folder.base())
-             : loader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, folder.base());
-  if (is_loaded) return model;
-  if (image_error) return tl::unexpected<Error>(*image_error);
-  if (folder.error()) return tl::unexpected<Error>(*folder.error());
-  std::ranges::replace(error, '\n', ' ');
-  return malformed("the file breaks the glTF format (" + error + "); export it again", "");
 }
 
 bool is_near(const std::vector<double>& values, std::span<const double> expected) {
@@ -261,31 +212,18 @@ Result<Figure> build_figure(const tinygltf::Model& model) {
 }  // namespace
 
 Result<Figure> parse_gltf(std::span<const std::byte> bytes, const std::filesystem::path& folder) {
-  const std::string_view text(static_cast<const char*>(static_cast<const void*>(bytes.data())), bytes.size());
-  if (text.size() > kMaxGltfBytes) return fail(ErrorCode::kLimit, "the file is longer than 64 MiB; make it smaller");
-  try {
-    const auto container = gltf::open_container(text);
-    if (!container) return tl::unexpected<Error>(container.error());
-    if (auto checked = gltf::check_document(*container); !checked)
-      return tl::unexpected<Error>(std::move(checked.error()));
-    const auto model = parse_model(text, container->is_glb, folder);
+  return gltf::without_exceptions([&]() -> Result<Figure> {
+    const auto model = gltf::load_model(bytes, folder, {});
     if (!model) return tl::unexpected<Error>(model.error());
     return build_figure(*model);
-  } catch (const std::bad_alloc&) {
-    return fail(ErrorCode::kLimit, "there is not enough memory to read the file");
-  } catch (const std::exception& error) {
-    return malformed("the file breaks the glTF format (" + std::string(error.what()) + "); export it again", "");
-  }
+  });
 }
 
 Result<Figure> read_gltf(const std::filesystem::path& path) {
   const auto bytes = read_whole_file(path, kMaxGltfBytes);
   if (!bytes) return tl::unexpected<Error>(bytes.error());
   auto figure = parse_gltf(std::as_bytes(std::span(*bytes)), path.parent_path());
-  if (!figure) {
-    std::string& place = figure.error().place;
-    place = place.empty() ? path.string() : path.string() + ": " + place;
-  }
+  if (!figure) figure.error().place = gltf::place_in_file(path, figure.error().place);
   return figure;
 }
 

@@ -24,12 +24,13 @@ constexpr std::string_view kExamples =
     "  auslanjam motion \"Thank you\" -o t.jsonl             the motion itself\n"
     "  auslanjam translate \"I do not understand.\"          the glosses and why\n"
     "  auslanjam db search hospital                        look a sign up\n"
+    "  auslanjam avatar figure.vrm                         what another maker's figure can do\n"
     "  auslanjam bench                                     what a frame costs here\n"
     "`auslanjam COMMAND --help` tells what each takes. Exit status: 0 done, 1 the work failed, 2 the command line was "
     "wrong.\n";
 
-constexpr std::array<std::string_view, 7> kCommands = {"sign", "render",     "motion", "translate",
-                                                       "db",   "experiment", "bench"};
+constexpr std::array<std::string_view, 8> kCommands = {"sign", "render",     "motion", "translate",
+                                                       "db",   "experiment", "bench",  "avatar"};
 
 /// A whole number in a range, or a message that names it.
 std::string parse_int(const std::string& text, int least, int most, int& value) {
@@ -187,6 +188,24 @@ void add_bench(CLI::App& app, Options& options) {
       "  auslanjam bench --size 640x480 --aa 1 --kernel sse2 --json");
 }
 
+void add_avatar(CLI::App& app, Options& options) {
+  app.add_option("FILE", options.avatar, "A humanoid in .vrm, .glb or .gltf")->required();
+  app.footer(
+      "Tells what a figure of another maker has and what it lacks. It is not signed with yet.\n"
+      "  Bones  who plays which part, named as VRM 1.0 names them. A VRM says so itself; elsewhere, and where a VRM "
+      "has\n"
+      "         gaps, the names of nodes tell: those of Mixamo, Ready Player Me, Unreal, MakeHuman, Rigify, VRoid,\n"
+      "         3ds Max, Character Creator and WebXR hands are known. Signing needs the head, both arms and three "
+      "joints of every finger.\n"
+      "  Face   the channels that signing uses, named as ARKit names them: by a morph target of that name (or of\n"
+      "         MakeHuman, VRoid or Oculus) or, roughly, by an expression that moves more than the channel.\n"
+      "  Note   what will look or move otherwise than its maker meant.\n"
+      "A figure with gaps is no error; a file that is broken, or holds nothing to draw, is.\n"
+      "Examples:\n"
+      "  auslanjam avatar figure.vrm\n"
+      "  auslanjam avatar figure.glb --json");
+}
+
 void add_common(CLI::App& app, Options& options) {
   app.add_option("--db", options.database, "Another lexicon database")->type_name("FILE");
   app.add_flag("--quiet", options.quiet, "No progress, no remarks");
@@ -264,6 +283,8 @@ std::variant<Options, ExitNow> parse_command_line(int argc, const char* const* a
   experiment->add_option("--avatar", options.avatar, "Another figure")->type_name("FILE");
   CLI::App* bench = app.add_subcommand("bench", "Time the steps of a frame on this computer");
   add_bench(*bench, options);
+  CLI::App* avatar = app.add_subcommand("avatar", "Tell what a figure of another maker has, and lacks for signing");
+  add_avatar(*avatar, options);
   CLI::App* db = app.add_subcommand("db", "Look into the lexicon");
   db->require_subcommand(1);
   CLI::App* list = db->add_subcommand("list", "List the entries");
@@ -276,7 +297,7 @@ std::variant<Options, ExitNow> parse_command_line(int argc, const char* const* a
   CLI::App* search = db->add_subcommand("search", "Search glosses, English words and definitions");
   search->add_option("WORDS", options.words, "What to look for")->required();
   CLI::App* check_db = db->add_subcommand("check", "Check the database against its rules");
-  for (CLI::App* sub : {sign, render, motion, translate, experiment, bench, list, show, search, check_db})
+  for (CLI::App* sub : {sign, render, motion, translate, experiment, bench, avatar, list, show, search, check_db})
     add_common(*sub, options);
 
   // `auslanjam TEXT` is `auslanjam sign TEXT`.
@@ -307,6 +328,7 @@ std::variant<Options, ExitNow> parse_command_line(int argc, const char* const* a
   if (*motion) options.command = Command::kMotion;
   if (*translate) options.command = Command::kTranslate;
   if (*experiment) options.command = Command::kExperiment;
+  if (*avatar) options.command = Command::kAvatar;
   if (*bench) options.command = Command::kBench;
   if (*bench && !options.source.text) options.source.text = "Where does it hurt?";
   if (*list) options.command = Command::kDbList;

@@ -14,6 +14,7 @@ Result<void> run_motion(const Options& options);
 Result<void> run_translate(const Options& options);
 Result<void> run_db(const Options& options);
 Result<void> run_experiment(const Options& options);
+Result<void> run_avatar(const Options& options);
 Result<void> run_bench(const Options& options);
 
 /// Writes to stdout; kUnwritable when that fails (a full disk, a closed pipe).

@@ -41,6 +41,8 @@ auslan::Result<void> run(const auslan::Options& options) {
       return auslan::run_translate(options);
     case kExperiment:
       return auslan::run_experiment(options);
+    case kAvatar:
+      return auslan::run_avatar(options);
     case kBench:
       return auslan::run_bench(options);
     case kDbList:

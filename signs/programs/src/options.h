@@ -11,7 +11,19 @@
 
 namespace auslan {
 
-enum class Command { kSign, kRender, kMotion, kTranslate, kDbList, kDbShow, kDbSearch, kDbCheck, kExperiment, kBench };
+enum class Command {
+  kSign,
+  kRender,
+  kMotion,
+  kTranslate,
+  kDbList,
+  kDbShow,
+  kDbSearch,
+  kDbCheck,
+  kExperiment,
+  kBench,
+  kAvatar
+};
 
 /// What is to be signed: exactly one of these.
 struct Source {
@@ -31,7 +43,7 @@ struct Options {
   StageOptions stage;
   int fps = 25;
   double speed = 1.0;
-  std::string avatar;    ///< a figure in place of the built-in one; empty: built in
+  std::string avatar;    ///< a figure in place of the built-in one; empty: built in; for the command avatar: its FILE
   std::string database;  ///< a database in place of the built-in one; empty: built in
   bool left_handed = false;
   bool caption = false;
