@@ -16,8 +16,8 @@ struct Engine {
   std::function<std::vector<FrameTime>(int)> time_frames;  ///< draws so many frames; empty when it cannot
 };
 
-/// Lower quartiles over all frames that counted, milliseconds a frame: what other programs do to a shared core only ever
-/// adds, so that medians say more of them than of an engine.
+/// Lower quartiles over all frames that counted, milliseconds a frame: what other programs do to a shared core only
+/// ever adds, so that medians say more of them than of an engine.
 struct Figures {
   double cpu_ms = 0;
   double least_cpu_ms = 0;

@@ -8,8 +8,8 @@
 namespace auslan {
 namespace {
 
-// What the middle of a shadow takes of a colour's sRGB levels where the surface faces the light: without the key light 0.4
-// of the light is left, which is 0.66 of the level.
+// What the middle of a shadow takes of a colour's sRGB levels where the surface faces the light: without the key light
+// 0.4 of the light is left, which is 0.66 of the level.
 constexpr float kDarkest = 0.34F;
 // Half the width of the soft edge: at the arm itself, and what it grows by with the distance from it.
 constexpr float kSoftness = 0.007F;
