@@ -87,7 +87,7 @@ Result<void> read_influences(const tinygltf::Primitive& primitive, AccessorReade
     for (size_t s = 0; s < sets; ++s)
       for (size_t k = 0; k < 4; ++k) {
         const double joint = joints[s][4 * i + k];
-        if (!(joint >= 0.0 && joint <= 65535.0 && joint == std::floor(joint)))
+        if (!(joint >= 0.0 && joint <= 65535.0 && joint == static_cast<double>(static_cast<uint16_t>(joint))))
           return malformed("a joint of a vertex is not a whole number", place);
         influences[4 * s + k] = {.weight = std::max(weights[s][4 * i + k], 0.0), .joint = static_cast<uint16_t>(joint)};
       }

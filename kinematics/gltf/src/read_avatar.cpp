@@ -21,7 +21,7 @@ using gltf::place_of;
 using gltf::Warnings;
 
 /// Extensions that may be required: read, or such that the figure is still itself without them.
-constexpr std::array<std::string_view, 19> kKnownExtensions = {"VRM",
+constexpr std::array<std::string_view, 24> kKnownExtensions = {"VRM",
                                                                "VRMC_vrm",
                                                                "VRMC_materials_mtoon",
                                                                "VRMC_materials_hdr_emissiveMultiplier",
@@ -39,7 +39,12 @@ constexpr std::array<std::string_view, 19> kKnownExtensions = {"VRM",
                                                                "KHR_lights_punctual",
                                                                "KHR_mesh_quantization",
                                                                "KHR_texture_transform",
-                                                               "KHR_texture_basisu"};
+                                                               "KHR_texture_basisu",
+                                                               "KHR_materials_anisotropy",
+                                                               "KHR_materials_iridescence",
+                                                               "KHR_materials_pbrSpecularGlossiness",
+                                                               "KHR_xmp_json_ld",
+                                                               "EXT_texture_webp"};
 constexpr double kMaxNumber = 1e9;  ///< of a node's translation, scale or matrix; the world is bounded later
 
 tl::unexpected<Error> malformed(std::string message, std::string place) {
@@ -336,6 +341,8 @@ Result<void> check_extent(const Avatar& avatar) {
 
 void warn_of_what_is_ignored(const tinygltf::Model& model, const Avatar& avatar, Warnings& warnings) {
   if (!model.animations.empty()) warnings.add("animations in the file are not played");
+  if (std::ranges::find(model.extensionsUsed, "VRMC_node_constraint") != model.extensionsUsed.end())
+    warnings.add("bones that follow other bones (constraints, for twist) stay where they rest");
   if (model.extensions.contains("VRMC_springBone")) warnings.add("hair and clothes do not swing (spring bones)");
   if (const auto vrm0 = model.extensions.find("VRM"); vrm0 != model.extensions.end() && vrm0->second.IsObject()) {
     const tinygltf::Value& swinging = vrm0->second.Get("secondaryAnimation");

@@ -21,6 +21,10 @@ std::string text_of(const Value& value) {
   return value.IsString() ? value.Get<std::string>() : std::string();
 }
 
+std::string first_of(std::string a, std::string b) {
+  return a.empty() ? b : a;
+}
+
 /// A whole number; tinygltf keeps those that a file writes without a point as int.
 std::optional<int> whole(const Value& value) {
   if (value.IsInt()) return value.GetNumberAsInt();
@@ -170,14 +174,23 @@ Result<void> read_vrm(const tinygltf::Model& model, std::span<const int> node_of
   avatar.human_node.fill(kNoNode);
   if (const auto vrm1 = model.extensions.find("VRMC_vrm"); vrm1 != model.extensions.end()) {
     avatar.kind = Avatar::Kind::kVrm1;
-    avatar.name = text_of(member(member(vrm1->second, "meta"), "name"));
+    const Value& meta = member(vrm1->second, "meta");
+    avatar.name = text_of(member(meta, "name"));
+    const Value& authors = member(meta, "authors");
+    for (size_t i = 0; i < authors.ArrayLen(); ++i)
+      avatar.author += (i == 0 ? "" : ", ") + text_of(authors.Get(static_cast<int>(i)));
+    avatar.licence = first_of(text_of(member(meta, "otherLicenseUrl")), text_of(member(meta, "licenseUrl")));
     return read_vrm1(vrm1->second, node_of_source, avatar, warnings);
   }
   if (const auto vrm0 = model.extensions.find("VRM"); vrm0 != model.extensions.end()) {
     avatar.kind = Avatar::Kind::kVrm0;
-    avatar.name = text_of(member(member(vrm0->second, "meta"), "title"));
+    const Value& meta = member(vrm0->second, "meta");
+    avatar.name = text_of(member(meta, "title"));
+    avatar.author = text_of(member(meta, "author"));
+    avatar.licence = first_of(text_of(member(meta, "otherLicenseUrl")), text_of(member(meta, "licenseName")));
     return read_vrm0(vrm0->second, node_of_source, avatar, warnings);
   }
+  avatar.licence = model.asset.copyright;
   return {};
 }
 
