@@ -293,6 +293,15 @@ void Warnings::add(std::string text) {
     texts_.push_back(std::move(text));
 }
 
+std::string shortened(const std::string& name) {
+  constexpr size_t kMostBytes = 60;
+  if (name.size() <= kMostBytes) return name;
+  size_t end = kMostBytes;
+  while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0U) == 0x80U)  // not within a UTF-8 sequence
+    --end;
+  return name.substr(0, end) + "...";
+}
+
 Result<AvatarMesh> read_avatar_mesh(const tinygltf::Model& model, int index, AccessorReader& reader,
                                     size_t& triangles_left, Warnings& warnings) {
   const tinygltf::Mesh& source = model.meshes[static_cast<size_t>(index)];

@@ -126,10 +126,12 @@ Result<std::vector<int>> read_nodes(const tinygltf::Model& model, Avatar& avatar
   std::vector<int> parent(count, kNoNode);
   for (size_t i = 0; i < count; ++i)
     for (const int child : model.nodes[i].children) {
-      const std::string place = place_of("nodes", static_cast<int>(i), model.nodes[i].name);
+      // Made on demand: a name may be as long as the file, and a node may have thousands of children.
+      const auto place = [&] { return place_of("nodes", static_cast<int>(i), model.nodes[i].name); };
       if (child < 0 || static_cast<size_t>(child) >= count)
-        return malformed("the node names a child that does not exist", place);
-      if (parent[static_cast<size_t>(child)] != kNoNode) return malformed("a child of the node has two parents", place);
+        return malformed("the node names a child that does not exist", place());
+      if (parent[static_cast<size_t>(child)] != kNoNode)
+        return malformed("a child of the node has two parents", place());
       parent[static_cast<size_t>(child)] = static_cast<int>(i);
     }
   std::vector<int> node_of_source(count, kNoNode);
@@ -161,6 +163,8 @@ Result<void> read_skins(const tinygltf::Model& model, std::span<const int> node_
     const std::string place = place_of("skins", static_cast<int>(s), source.name);
     AvatarSkin skin;
     if (source.joints.empty()) return malformed("the skin has no joints", place);
+    if (source.joints.size() > kMaxAvatarNodes)
+      return fail(ErrorCode::kLimit, "the skin has more than 4096 joints", place);
     for (const int joint : source.joints) {
       if (joint < 0 || static_cast<size_t>(joint) >= node_of_source.size())
         return malformed("a joint of the skin is a node that does not exist", place);
@@ -189,7 +193,7 @@ void read_images(tinygltf::Model& model, Avatar& avatar, Warnings& warnings) {
     if (gltf::is_png(image.bytes.data(), image.bytes.size())) image.format = AvatarImage::Format::kPng;
     if (gltf::is_jpeg(image.bytes.data(), image.bytes.size())) image.format = AvatarImage::Format::kJpeg;
     if (image.bytes.empty())
-      warnings.add("the image " + image.name +
+      warnings.add("the image " + gltf::shortened(image.name) +
                    " is missing or neither PNG nor JPEG; its surfaces keep the base colour alone");
     avatar.images.push_back(std::move(image));
   }

@@ -39,7 +39,7 @@ Result<void> add_bone(const std::string& bone, const Value& node, const std::str
                       std::span<const int> node_of_source, Avatar& avatar, Warnings& warnings) {
   const std::optional<HumanRole> role = human_role(bone);
   if (!role) {
-    warnings.add("the humanoid map names a bone that VRM does not have: " + bone);
+    warnings.add("the humanoid map names a bone that VRM does not have: " + shortened(bone));
     return {};
   }
   const std::optional<int> index = whole(node);
@@ -74,7 +74,8 @@ void add_bind(int mesh, const Value& morph, double weight, AvatarExpression& exp
   const std::optional<int> index = whole(morph);
   if (mesh < 0 || static_cast<size_t>(mesh) >= avatar.meshes.size() || !index || *index < 0 ||
       static_cast<size_t>(*index) >= avatar.meshes[static_cast<size_t>(mesh)].morph_names.size()) {
-    warnings.add("the expression " + expression.name + " names a morph target that does not exist; it does without");
+    warnings.add("the expression " + shortened(expression.name) +
+                 " names a morph target that does not exist; it does without");
     return;
   }
   if (weight > 0.0) expression.binds.push_back({.mesh = mesh, .morph = *index, .weight = weight});
