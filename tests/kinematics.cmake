@@ -1,4 +1,4 @@
 # SPDX-License-Identifier: Apache-2.0
-foreach(test elementary rotation interpolate skeleton anatomy limits arm_ik surface body_model atomic_file humanoid)
+foreach(test elementary rotation interpolate skeleton anatomy limits arm_ik surface body_model skinned_model atomic_file humanoid)
   auslan_test(kinematics_${test} LABEL unit LIBRARIES auslan::kinematics)
 endforeach()

@@ -57,7 +57,19 @@ constexpr FaceUnit kMakeHumanUnits[] = {  // face pose units
     {kMouthStretchLeft, "MouthLeftPullSide", 1.0}, {kMouthStretchRight, "MouthRightPullSide", 1.0},
     {kMouthLowerDownLeft, "lowerLipDown", 0.5}, {kMouthLowerDownRight, "lowerLipDown", 0.5},
     {kMouthUpperUpLeft, "UpperLipUp", 0.5}, {kMouthUpperUpRight, "UpperLipUp", 0.5},
-    {kCheekPuff, "CheeksPump", 1.0}, {kTongueOut, "TongueOut", 1.0}};
+    {kCheekPuff, "CheeksPump", 1.0}, {kTongueOut, "TongueOut", 1.0},
+    {kEyeLookUpLeft, "LeftEyeUp", 1.0}, {kEyeLookUpRight, "RightEyeUp", 1.0},
+    {kEyeLookDownLeft, "LeftEyeDown", 1.0}, {kEyeLookDownRight, "RightEyeDown", 1.0},
+    {kEyeLookInLeft, "LeftEyeturnRight", 1.0}, {kEyeLookInRight, "RightEyeturnLeft", 1.0},
+    {kEyeLookOutLeft, "LeftEyeturnLeft", 1.0}, {kEyeLookOutRight, "RightEyeturnRight", 1.0},
+    {kEyeSquintLeft, "LeftLowerLidUp", 1.0}, {kEyeSquintRight, "RightLowerLidUp", 1.0},
+    {kNoseSneerLeft, "NoseWrinkler", 0.5}, {kNoseSneerRight, "NoseWrinkler", 0.5},
+    {kMouthLeft, "MouthMoveLeft", 1.0}, {kMouthRight, "MouthMoveRight", 1.0},
+    {kMouthRollUpper, "UpperLipBackward", 1.0}, {kMouthRollLower, "lowerLipBackward", 1.0},
+    {kMouthShrugLower, "lowerLipUp", 1.0}, {kJawForward, "ChinForward", 1.0},
+    {kJawLeft, "ChinLeft", 1.0}, {kJawRight, "ChinRight", 1.0},
+    {kCheekSuckLeft, "CheeksSuck", 0.5}, {kCheekSuckRight, "CheeksSuck", 0.5},
+    {kTongueUp, "TongueUp", 1.0}, {kTongueLeft, "TongueLeft", 1.0}, {kTongueRight, "TongueRight", 1.0}};
 constexpr FaceUnit kVroidUnits[] = {  // VRoid Studio, most often behind a prefix: "Face.M_F00_000_00_Fcl_MTH_A"
     {kBrowInnerUp, "Fcl_BRW_Sorrow", 1.0},
     {kBrowOuterUpLeft, "Fcl_BRW_Surprised", 0.5}, {kBrowOuterUpRight, "Fcl_BRW_Surprised", 0.5},
@@ -90,7 +102,7 @@ struct Stand {
   FaceChannel channel;
   std::string_view expression;
 };
-constexpr std::array<Stand, 19> kStands = {{{kEyeBlinkLeft, "blinkLeft"},
+constexpr std::array<Stand, 27> kStands = {{{kEyeBlinkLeft, "blinkLeft"},
                                             {kEyeBlinkRight, "blinkRight"},
                                             {kEyeBlinkLeft, "blink"},
                                             {kEyeBlinkRight, "blink"},
@@ -108,7 +120,15 @@ constexpr std::array<Stand, 19> kStands = {{{kEyeBlinkLeft, "blinkLeft"},
                                             {kBrowInnerUp, "surprised"},
                                             {kEyeWideLeft, "surprised"},
                                             {kEyeWideRight, "surprised"},
-                                            {kBrowInnerUp, "sad"}}};
+                                            {kBrowInnerUp, "sad"},
+                                            {kEyeLookUpLeft, "lookUp"},
+                                            {kEyeLookUpRight, "lookUp"},
+                                            {kEyeLookDownLeft, "lookDown"},
+                                            {kEyeLookDownRight, "lookDown"},
+                                            {kEyeLookOutLeft, "lookLeft"},
+                                            {kEyeLookInRight, "lookLeft"},
+                                            {kEyeLookInLeft, "lookRight"},
+                                            {kEyeLookOutRight, "lookRight"}}};
 
 bool is_sided_face_channel(FaceChannel channel) {
   const std::string_view name = kFaceChannelNames[static_cast<size_t>(channel)];

@@ -121,9 +121,10 @@ TEST(AvatarSamples, MakeHumanGlbIsReadByItsNames) {
   EXPECT_EQ(bone(avatar, HumanRole::kHead), "head");
   EXPECT_EQ(bone(avatar, HumanRole::kLeftThumbMetacarpal), "thumb_01_l");
   EXPECT_EQ(bone(avatar, HumanRole::kRightLittleDistal), "pinky_03_r");
-  // Its pose units drive all channels but those of pressed and funnelled lips.
+  // Its pose units drive all channels but those of pressed and funnelled lips and of one cheek alone.
   const std::vector<FaceChannel> missing = {FaceChannel::kMouthFunnel, FaceChannel::kMouthPressLeft,
-                                            FaceChannel::kMouthPressRight};
+                                            FaceChannel::kMouthPressRight, FaceChannel::kCheekPuffLeft,
+                                            FaceChannel::kCheekPuffRight};
   for (size_t c = 0; c < kFaceChannelCount; ++c)
     EXPECT_EQ(avatar.face[c].means == FaceDrive::Means::kNone,
               std::ranges::find(missing, static_cast<FaceChannel>(c)) != missing.end())

@@ -113,7 +113,7 @@ TEST_F(GltfReader, SparsePartReplacesValuesOfTheDensePart) {
 }
 
 TEST_F(GltfReader, MorphTargetsThatAreNoFaceChannelAreLeftOut) {
-  document_.json["meshes"][0]["extras"]["targetNames"] = {"noseSneerLeft"};
+  document_.json["meshes"][0]["extras"]["targetNames"] = {"mouthDimpleLeft"};
   figure_.segments[2].morphs.clear();
   expect_figure(figure_);
 }

@@ -397,6 +397,32 @@ TEST(NotationMeaning, FaceAndMouth) {
   EXPECT_EQ(sign.sign.non_manual.mouthing, "mawning");
 }
 
+// What the model has no word for is carried by its code, each of the 78.
+TEST(NotationMeaning, MouthGesturesAndGaze) {
+  const auto face_of = [](const std::string& gesture, const std::string& gaze) {
+    const auto signs = parse_sigml(
+        "<sigml><hns_sign gloss=\"X\"><hamnosys_nonmanual><hnm_mouthgesture tag=\"" + gesture +
+            "\"/><hnm_eyegaze tag=\"" + gaze +
+            "\"/></hamnosys_nonmanual><hamnosys_manual><hamflathand/><hamextfingeru/><hampalml/></hamnosys_manual>"
+            "</hns_sign></sigml>",
+        "f");
+    EXPECT_TRUE(signs);
+    return signs->front();
+  };
+  const NotatedSign tongue = face_of("T14", "UP");
+  EXPECT_EQ(tongue.sign.non_manual.mouth, "T14");
+  EXPECT_EQ(tongue.sign.non_manual.gaze, "up");
+  EXPECT_TRUE(tongue.diagnostics.empty());
+  EXPECT_EQ(face_of("L35", "LE").sign.non_manual.mouth, "L35");
+  EXPECT_EQ(face_of("L34", "RI").sign.non_manual.mouth, "stretched");
+  EXPECT_EQ(face_of("C01", "DN").sign.non_manual.gaze, "down");
+  for (const char* wrong : {"D10", "L00", "T18", "Q01", "L3"}) {
+    const NotatedSign sign = face_of(wrong, "AD");
+    EXPECT_EQ(sign.sign.non_manual.mouth, "");
+    EXPECT_EQ(sign.diagnostics.size(), 1U) << wrong;
+  }
+}
+
 TEST(NotationMeaning, CompoundsFollowEachOther) {
   const NotatedSign sign = gestural(
       "<sign_manual><handconfig handshape='flat' extfidir='u' palmor='u'/><location_bodyarm location='chin' "

@@ -43,5 +43,8 @@ class BodyModel {
 std::unique_ptr<BodyModel> make_rigid_flat(const Figure& figure);
 /// Rigid segments with the figure's own vertices and normals.
 std::unique_ptr<BodyModel> make_rigid_gouraud(const Figure& figure);
+/// Segments whose surfaces bend near their joints, so that they pass into each other without a seam; forearm and upper
+/// arm twist along their length. Made from the same figure: no weights are needed in it.
+std::unique_ptr<BodyModel> make_skinned(const Figure& figure);
 
 }  // namespace auslan

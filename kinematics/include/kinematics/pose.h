@@ -14,7 +14,8 @@
 
 namespace auslan {
 
-/// Face channels, named as ARKit names its blend shapes. Weights run from 0 (rest) to 1.
+/// Face channels, named as ARKit names its blend shapes; the last seven, which ARKit lacks, after their like. Weights
+/// run from 0 (rest) to 1. Left and right are the signer's.
 enum class FaceChannel {
   kBrowInnerUp,
   kBrowOuterUpLeft,
@@ -42,8 +43,35 @@ enum class FaceChannel {
   kMouthUpperUpRight,
   kCheekPuff,
   kTongueOut,
+  kEyeLookUpLeft,
+  kEyeLookUpRight,
+  kEyeLookDownLeft,
+  kEyeLookDownRight,
+  kEyeLookInLeft,
+  kEyeLookInRight,
+  kEyeLookOutLeft,
+  kEyeLookOutRight,
+  kEyeSquintLeft,
+  kEyeSquintRight,
+  kNoseSneerLeft,
+  kNoseSneerRight,
+  kMouthLeft,
+  kMouthRight,
+  kMouthRollUpper,
+  kMouthRollLower,
+  kMouthShrugLower,
+  kJawForward,
+  kJawLeft,
+  kJawRight,
+  kCheekPuffLeft,
+  kCheekPuffRight,
+  kCheekSuckLeft,
+  kCheekSuckRight,
+  kTongueUp,
+  kTongueLeft,
+  kTongueRight,
 };
-inline constexpr int kFaceChannelCount = 26;
+inline constexpr int kFaceChannelCount = 53;
 
 /// The ARKit spelling ("browInnerUp"), in enum order.
 inline constexpr std::array<std::string_view, kFaceChannelCount> kFaceChannelNames = {
@@ -52,7 +80,18 @@ inline constexpr std::array<std::string_view, kFaceChannelCount> kFaceChannelNam
     "mouthPucker",        "mouthFunnel",         "mouthSmileLeft",    "mouthSmileRight",   "mouthFrownLeft",
     "mouthFrownRight",    "mouthStretchLeft",    "mouthStretchRight", "mouthPressLeft",    "mouthPressRight",
     "mouthLowerDownLeft", "mouthLowerDownRight", "mouthUpperUpLeft",  "mouthUpperUpRight", "cheekPuff",
-    "tongueOut"};
+    "tongueOut",          "eyeLookUpLeft",       "eyeLookUpRight",    "eyeLookDownLeft",   "eyeLookDownRight",
+    "eyeLookInLeft",      "eyeLookInRight",      "eyeLookOutLeft",    "eyeLookOutRight",   "eyeSquintLeft",
+    "eyeSquintRight",     "noseSneerLeft",       "noseSneerRight",    "mouthLeft",         "mouthRight",
+    "mouthRollUpper",     "mouthRollLower",      "mouthShrugLower",   "jawForward",        "jawLeft",
+    "jawRight",           "cheekPuffLeft",       "cheekPuffRight",    "cheekSuckLeft",     "cheekSuckRight",
+    "tongueUp",           "tongueLeft",          "tongueRight"};
+
+/// The right channel of a left one ("mouthSmileLeft"); others are their own.
+constexpr FaceChannel right_of(FaceChannel channel) {
+  const bool left = kFaceChannelNames[static_cast<size_t>(channel)].ends_with("Left");
+  return static_cast<FaceChannel>(static_cast<int>(channel) + (left ? 1 : 0));
+}
 
 using FaceWeights = std::array<float, kFaceChannelCount>;
 

@@ -91,6 +91,53 @@ Vec3 round_lips(const Site& site, const Vec3& p, double inwards, double forward,
   return Vec3(0.0 - inwards * bounded, open, forward) * near;
 }
 
+/// The left eye turned so many degrees up and outwards; the lids go along with its height.
+Vec3 gaze(const Site& site, const Vec3& p, double eye_x, double up_deg, double out_deg) {
+  if (site.piece == Piece::kUpperLid || site.piece == Piece::kLowerLid)
+    return lid(site, kUpperOpen + 0.62 * up_deg, kLowerOpen + 0.24 * up_deg);
+  if (site.piece != Piece::kEyeball) return Vec3(0.0);
+  const Vec3 centre(eye_x, kEyeLevel, kEyeZ);
+  const Vec3 arm = p - centre;
+  const Angle up = angle_deg(up_deg);
+  const Angle out = angle_deg(out_deg);
+  const Vec3 lifted(arm.x, arm.y * up.cosine + arm.z * up.sine, arm.z * up.cosine - arm.y * up.sine);
+  const Vec3 turned(lifted.x * out.cosine + lifted.z * out.sine, lifted.y, lifted.z * out.cosine - lifted.x * out.sine);
+  return turned - arm;
+}
+
+Vec3 cheek_and_jaw(FaceChannel channel, const Site& site, const Vec3& p) {
+  using enum FaceChannel;
+  switch (channel) {
+    case kNoseSneerLeft:
+      return Vec3(0.6, 4.2, 0.4) * bump(site, p, {13.0, 5.0, 98.0}, 17.0) +
+             Vec3(-1.0, -1.8, 0.6) * bump(site, p, {9.0, 44.0, 98.0}, 18.0) +
+             Vec3(0.0, 2.6, 0.4) * (upper_lip(site) * near_mouth(site, 6.0, 22.0) * left_share(p));
+    case kCheekPuffLeft:
+      return Vec3(10.5, 0.0, 6.0) * bump(site, p, {43.0, -16.0, 78.0}, 44.0);
+    case kCheekSuckLeft:
+      return Vec3(-7.5, 0.0, -4.5) * bump(site, p, {42.0, -14.0, 80.0}, 36.0) + corner(site, p, {-2.0, 0.0, 1.0});
+    case kMouthLeft:
+      return Vec3(9.0, 0.6, -1.2) * near_mouth(site, 6.0, 40.0);
+    case kMouthRollUpper:
+      return Vec3(0.0, -1.6, -2.8) * (upper_lip(site) * near_mouth(site, 3.0, 13.0));
+    case kMouthRollLower:
+      return Vec3(0.0, 1.8, -2.2) * (lower_lip(site) * near_mouth(site, 3.0, 14.0));
+    case kMouthShrugLower:
+      return Vec3(0.0, 4.0, 1.8) * (lower_lip(site) * near_mouth(site, 9.0, 34.0)) +
+             Vec3(0.0, 1.6, 0.6) * (upper_lip(site) * near_mouth(site, 5.0, 16.0));
+    case kJawForward:
+      return Vec3(0.0, 0.0, 7.0) * jaw_share(site, p);
+    case kJawLeft:
+      return Vec3(6.5, 0.0, -0.6) * jaw_share(site, p);
+    case kTongueUp:
+      return site.piece == Piece::kTongue ? Vec3(0.0, 11.0 * smooth_step(0.35, 1.0, site.up), 0.0) : Vec3(0.0);
+    case kTongueLeft:
+      return site.piece == Piece::kTongue ? Vec3(13.0 * smooth_step(0.25, 1.0, site.up), 0.0, 0.0) : Vec3(0.0);
+    default:
+      return Vec3(0.0);
+  }
+}
+
 Vec3 mouth(FaceChannel channel, const Site& site, const Vec3& p) {
   using enum FaceChannel;
   switch (channel) {
@@ -141,7 +188,7 @@ Vec3 mouth(FaceChannel channel, const Site& site, const Vec3& p) {
              Vec3(0.0, 1.5, 0.5) * (upper_lip(site) * near_mouth(site, 7.0, 22.0));
     }
     default:
-      return Vec3(0.0);
+      return cheek_and_jaw(channel, site, p);
   }
 }
 
@@ -161,11 +208,22 @@ constexpr Pair kPairs[] = {{FaceChannel::kBrowOuterUpLeft, FaceChannel::kBrowOut
                            {FaceChannel::kMouthStretchLeft, FaceChannel::kMouthStretchRight},
                            {FaceChannel::kMouthPressLeft, FaceChannel::kMouthPressRight},
                            {FaceChannel::kMouthLowerDownLeft, FaceChannel::kMouthLowerDownRight},
-                           {FaceChannel::kMouthUpperUpLeft, FaceChannel::kMouthUpperUpRight}};
+                           {FaceChannel::kMouthUpperUpLeft, FaceChannel::kMouthUpperUpRight},
+                           {FaceChannel::kEyeLookUpLeft, FaceChannel::kEyeLookUpRight},
+                           {FaceChannel::kEyeLookDownLeft, FaceChannel::kEyeLookDownRight},
+                           {FaceChannel::kEyeLookInLeft, FaceChannel::kEyeLookInRight},
+                           {FaceChannel::kEyeLookOutLeft, FaceChannel::kEyeLookOutRight},
+                           {FaceChannel::kEyeSquintLeft, FaceChannel::kEyeSquintRight},
+                           {FaceChannel::kNoseSneerLeft, FaceChannel::kNoseSneerRight},
+                           {FaceChannel::kMouthLeft, FaceChannel::kMouthRight},
+                           {FaceChannel::kJawLeft, FaceChannel::kJawRight},
+                           {FaceChannel::kCheekPuffLeft, FaceChannel::kCheekPuffRight},
+                           {FaceChannel::kCheekSuckLeft, FaceChannel::kCheekSuckRight},
+                           {FaceChannel::kTongueLeft, FaceChannel::kTongueRight}};
 
 }  // namespace
 
-Vec3 displacement(FaceChannel channel, const Site& site, const Vec3& p) {
+Vec3 displacement(FaceChannel channel, const Site& site, const Vec3& p, double eye_x) {
   using enum FaceChannel;
   // Eyes and brows of the left side only.
   const bool left = p.x > 0.0;
@@ -182,6 +240,16 @@ Vec3 displacement(FaceChannel channel, const Site& site, const Vec3& p) {
       return left ? lid(site, -18.0, -20.0) : Vec3(0.0);
     case kEyeWideLeft:
       return left ? lid(site, 40.0, -32.0) : Vec3(0.0);
+    case kEyeLookUpLeft:
+      return left ? gaze(site, p, eye_x, 24.0, 0.0) : Vec3(0.0);
+    case kEyeLookDownLeft:
+      return left ? gaze(site, p, eye_x, -28.0, 0.0) : Vec3(0.0);
+    case kEyeLookInLeft:
+      return left ? gaze(site, p, eye_x, 0.0, -32.0) : Vec3(0.0);
+    case kEyeLookOutLeft:
+      return left ? gaze(site, p, eye_x, 0.0, 32.0) : Vec3(0.0);
+    case kEyeSquintLeft:
+      return left ? lid(site, 15.0, -13.0) + Vec3(0.0, 2.6, 1.0) * bump(site, p, {34.0, 18.0, 86.0}, 24.0) : Vec3(0.0);
     case kJawOpen:
       // The upper lip gives a little, so that the teeth's edge shows.
       return jaw_swing(site, p, 21.0) + Vec3(0.0, 1.8, 0.0) * (upper_lip(site) * near_mouth(site, 7.0, 22.0));
@@ -195,7 +263,7 @@ std::vector<Morph> face_morphs(const Head& head, const std::function<Vec3(const 
   // A vertex and its mirror image move exactly alike: one of each pair decides.
   const auto of = [&](FaceChannel channel, uint32_t i) {
     const Vec3& p = vertices[i].point;
-    const Vec3 q = p + displacement(channel, head.sites[i], p);
+    const Vec3 q = p + displacement(channel, head.sites[i], p, head.eye_x);
     return stretched(q) - stretched(p);
   };
   std::vector<Morph> morphs;

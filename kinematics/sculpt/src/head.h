@@ -78,7 +78,7 @@ Vec3 lid_point(const Site& site, double margin_deg, double hidden_deg);
 inline constexpr double kUpperOpen = 24.0, kUpperHidden = 88.0, kLowerOpen = -27.0, kLowerHidden = -84.0;
 
 /// The displacement of one vertex by one channel at weight 1, as if the channel were its left one.
-Vec3 displacement(FaceChannel channel, const Site& site, const Vec3& p);
+Vec3 displacement(FaceChannel channel, const Site& site, const Vec3& p, double eye_x);
 /// Every channel's morph of the finished mesh; `stretched` maps the mean head's points to the table's.
 std::vector<Morph> face_morphs(const Head& head, const std::function<Vec3(const Vec3&)>& stretched);
 

@@ -46,8 +46,19 @@ const Table kBrows = {
 const Table kEyes = {{"WB", "wide"},          {"WR", "wide", false},   {"WL", "wide", false},  {"SB", "narrow"},
                      {"SR", "narrow", false}, {"SL", "narrow", false}, {"CB", "closed"},       {"CR", "closed", false},
                      {"CL", "closed", false}, {"TB", "squint", false}, {"BB", "closed", false}};
-const Table kGaze = {{"AD", "addressee"},    {"FR", "addressee", false},    {"HD", "down-to-hand"},
-                     {"HI", "down-to-hand"}, {"HC", "down-to-hand", false}, {"DN", "down-to-hand", false}};
+const Table kGaze = {{"AD", "addressee"},
+                     {"FR", "addressee", false},
+                     {"HD", "down-to-hand"},
+                     {"HI", "down-to-hand"},
+                     {"HC", "down-to-hand", false},
+                     {"DN", "down"},
+                     {"UP", "up"},
+                     {"LE", "left"},
+                     {"RI", "right"},
+                     {"LU", "left", false},
+                     {"LD", "left", false},
+                     {"RU", "right", false},
+                     {"RD", "right", false}};
 const Table kHead = {{"NO", "nod"},
                      {"SH", "shake"},
                      {"TR", "tilt"},
@@ -62,38 +73,29 @@ const Table kShoulders = {{"UB", "shrug", false},   {"HB", "hunched"},      {"SB
                           {"UL", "shrug", false},   {"UR", "shrug", false}, {"HL", "hunched", false},
                           {"HR", "hunched", false}, {"SL", "shrug", false}, {"SR", "shrug", false}};
 const Table kBody = {{"TF", "lean-forward"}, {"ST", ""}, {"SI", "sway", false}};
-const Table kMouth = {{"D01", "teeth-showing"},
-                      {"L01", "shh"},
-                      {"L04", "pursed"},
-                      {"L05", "open"},
-                      {"L06", "pursed"},
-                      {"L07", "open", false},
-                      {"L10", "open", false},
-                      {"L14", "shh", false},
-                      {"L19", "blow"},
-                      {"L20", "blow"},
-                      {"L21", "blow", false},
-                      {"L22", "blow", false},
-                      {"L23", "pressed"},
-                      {"L24", "pressed"},
-                      {"L25", "pressed", false},
-                      {"L29", "down-turned", false},
-                      {"L30", "down-turned", false},
-                      {"L31", "down-turned"},
-                      {"L34", "stretched"},
-                      {"L35", "blow", false},
-                      {"C01", "puffed"},
-                      {"C02", "puffed", false},
-                      {"C03", "puffed", false},
-                      {"C04", "puffed", false},
-                      {"C05", "puffed", false},
-                      {"D02", "pressed", false},
-                      {"T02", "open", false},
-                      {"T05", "open", false},
-                      {"L12", "stretched", false},
-                      {"L32", "blow", false},
-                      {"L33", "shh", false},
-                      {"T17", "open", false}};
+// Gestures that the lexicon has a word for; the others are carried by their codes.
+const Table kMouth = {{"D01", "teeth-showing"}, {"L01", "shh"},     {"L04", "pursed"}, {"L05", "ow"},
+                      {"L20", "blow"},          {"L23", "pressed"}, {"C01", "puffed"}, {"L31", "down-turned"},
+                      {"L34", "stretched"}};
+
+bool is_mouth_gesture(const std::string& tag) {
+  struct Letter {
+    char letter;
+    int last;
+  };
+  if (tag.size() != 3 || tag[1] < '0' || tag[1] > '9' || tag[2] < '0' || tag[2] > '9') return false;
+  const int number = (tag[1] - '0') * 10 + (tag[2] - '0');
+  for (const Letter& kind : {Letter{'D', 9}, Letter{'J', 4}, Letter{'L', 35}, Letter{'C', 13}, Letter{'T', 17}}) {
+    if (tag[0] == kind.letter) return number >= 1 && number <= kind.last;
+  }
+  return false;
+}
+
+void set_mouth(std::string& tier, const std::string& tag, const Element& element) {
+  const bool has_word = std::ranges::find(kMouth, std::string_view(tag), &Feature::tag) != kMouth.end();
+  if (has_word || !is_mouth_gesture(tag)) return set(tier, kMouth, tag, "mouth gesture", element);
+  set(tier, {{tag, tag}}, tag, "mouth gesture", element);
+}
 
 void set_mouthing(const std::string& picture, NonManual& face, const Element& element) {
   Findings& findings = element.findings();
@@ -136,7 +138,7 @@ void read_feature(Element& element, NonManual& face) {
   } else if (name == "nose") {
     set(face.face, {{"WR", "dislike", false}}, movement(), "nose movement", element);
   } else if (name == "mouth_gesture") {
-    set(face.mouth, kMouth, movement(), "mouth gesture", element);
+    set_mouth(face.mouth, movement(), element);
   } else if (name == "mouth_picture") {
     set_mouthing(element.text("picture"), face, element);
   } else if (name == "mouth_meta" || name == "extra_movement") {
@@ -202,7 +204,7 @@ void read_hnm(Element& elements, NonManual& face) {
     } else if (name == "hnm_nose") {
       set(face.face, {{"WR", "dislike", false}}, tag(), "nose movement", child);
     } else if (name == "hnm_mouthgesture") {
-      set(face.mouth, kMouth, tag(), "mouth gesture", child);
+      set_mouth(face.mouth, tag(), child);
     } else if (name == "hnm_mouthpicture") {
       set_mouthing(child.text("picture"), face, child);
     } else {

@@ -128,6 +128,18 @@ void add_frame_form(CLI::App& app, Options& options) {
     options.stage.flat = text == "flat";
     return {};
   });
+  add_parsed(app, "--joints", "smooth, or rigid segments as the paper has them (smooth)", "NAME",
+             [&options](const std::string& text) -> std::string {
+               if (text != "smooth" && text != "rigid") return "takes smooth or rigid, not \"" + text + "\"";
+               options.stage.rigid = text == "rigid";
+               return {};
+             });
+  add_parsed(app, "--shadow", "yes or no: hands throw a shadow on body and face (yes)", "WORD",
+             [&options](const std::string& text) -> std::string {
+               if (text != "yes" && text != "no") return "takes yes or no, not \"" + text + "\"";
+               options.stage.shadow = text == "yes";
+               return {};
+             });
   add_parsed(app, "--camera", "front, three-quarter, side, signer, hands or face (front)", "NAME",
              [&options](const std::string& text) -> std::string {
                const auto camera = camera_from_name(text);

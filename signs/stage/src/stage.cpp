@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "stage/stage.h"
 
+#include "arm_shadow.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
@@ -84,7 +86,10 @@ std::optional<CameraName> camera_from_name(std::string_view name) {
 Stage::Stage(const Figure& figure, const StageOptions& options)
     : figure_(&figure),
       options_(options),
-      model_(options.flat ? make_rigid_flat(figure) : make_rigid_gouraud(figure)),
+      model_(options.flat    ? make_rigid_flat(figure)
+             : options.rigid ? make_rigid_gouraud(figure)
+                             : make_skinned(figure)),
+      shadow_(options.shadow ? std::make_unique<ArmShadow>(figure.skeleton, stage_lighting().key_direction) : nullptr),
       renderer_(options.threads, options.kernel.value()),
       camera_(
           stage_camera(figure, options.camera, static_cast<float>(options.width) / static_cast<float>(options.height))),
@@ -92,6 +97,10 @@ Stage::Stage(const Figure& figure, const StageOptions& options)
   renderer_.set_camera(camera_);
   renderer_.set_lighting(stage_lighting());
 }
+
+Stage::Stage(Stage&&) noexcept = default;
+Stage& Stage::operator=(Stage&&) noexcept = default;
+Stage::~Stage() = default;
 
 Result<Stage> Stage::build(const Figure& figure, const StageOptions& options) {
   const bool size_ok = options.width >= 1 && options.width <= raster::kMaxImageSize && options.height >= 1 &&
@@ -118,7 +127,9 @@ void Stage::render(const Pose& pose, std::span<uint32_t> pixels, raster::Canvas 
       renderer_.begin_frame(options_.width, options_.height, options_.samples, options_.background);
   assert(status == raster::Status::kOk);
   const raster::Shading shading = options_.flat ? raster::Shading::kFlat : raster::Shading::kGouraud;
-  for (const PosedMesh& mesh : model_->pose(world_, pose.face))
+  std::span<const PosedMesh> meshes = model_->pose(world_, pose.face);
+  if (shadow_ != nullptr) meshes = shadow_->cast(world_, meshes);
+  for (const PosedMesh& mesh : meshes)
     renderer_.draw({mesh.positions, mesh.normals, mesh.colours, mesh.indices, mesh.revision}, mesh.world_from_mesh,
                    shading);
   status = renderer_.end_frame(pixels, canvas);

@@ -55,8 +55,8 @@ bool add_brows(std::string_view word, FaceWeights& weights) {
 bool add_eyes(std::string_view word, FaceWeights& weights) {
   return add_word(
       {{"wide", {{kEyeWideLeft, 1.0F}, {kEyeWideRight, 1.0F}}},
-       {"narrow", {{kEyeBlinkLeft, 0.45F}, {kEyeBlinkRight, 0.45F}}},
-       {"squint", {{kEyeBlinkLeft, 0.45F}, {kEyeBlinkRight, 0.45F}, {kBrowDownLeft, 0.4F}, {kBrowDownRight, 0.4F}}},
+       {"narrow", {{kEyeSquintLeft, 0.7F}, {kEyeSquintRight, 0.7F}}},
+       {"squint", {{kEyeSquintLeft, 1.0F}, {kEyeSquintRight, 1.0F}, {kBrowDownLeft, 0.4F}, {kBrowDownRight, 0.4F}}},
        {"half-closed", {{kEyeBlinkLeft, 0.55F}, {kEyeBlinkRight, 0.55F}}},
        {"blink", {{kEyeBlinkLeft, 1.0F}, {kEyeBlinkRight, 1.0F}}},
        {"closed", {{kEyeBlinkLeft, 1.0F}, {kEyeBlinkRight, 1.0F}}}},
@@ -64,6 +64,7 @@ bool add_eyes(std::string_view word, FaceWeights& weights) {
 }
 
 bool add_mouth(std::string_view word, FaceWeights& weights) {
+  if (add_mouth_gesture(word, weights)) return true;
   return add_word({{"teeth-showing",
                     {{kMouthStretchLeft, 0.7F},
                      {kMouthStretchRight, 0.7F},
@@ -105,12 +106,12 @@ bool add_face(std::string_view word, FaceWeights& weights) {
                      {kMouthFrownLeft, 0.3F},
                      {kMouthFrownRight, 0.3F}}},
                    {"dislike",
-                    {{kBrowDownLeft, 0.5F},
-                     {kBrowDownRight, 0.5F},
+                    {{kBrowDownLeft, 0.4F},
+                     {kBrowDownRight, 0.4F},
+                     {kNoseSneerLeft, 0.9F},
+                     {kNoseSneerRight, 0.9F},
                      {kMouthFrownLeft, 0.7F},
-                     {kMouthFrownRight, 0.7F},
-                     {kMouthUpperUpLeft, 0.5F},
-                     {kMouthUpperUpRight, 0.5F}}}},
+                     {kMouthFrownRight, 0.7F}}}},
                   word, weights);
 }
 
@@ -161,10 +162,22 @@ bool add_shoulders(std::string_view word, BodyFeature& feature) {
 
 bool add_gaze(std::string_view word, BodyFeature& feature, FaceWeights& weights) {
   if (word.empty() || word == "neutral" || word == "addressee") return true;
-  if (word != "down-to-hand") return false;
-  // Without eye joints the gaze is shown by the head and the lids.
-  feature.head += Vec3(10, 0, 0) * kDegree;
-  add({{kEyeBlinkLeft, 0.3F}, {kEyeBlinkRight, 0.3F}}, weights);
+  // The eyes go first and farthest, the head a little with them.
+  if (word == "down-to-hand" || word == "down") {
+    feature.head += Vec3(5, 0, 0) * kDegree;
+    add({{kEyeLookDownLeft, 0.6F}, {kEyeLookDownRight, 0.6F}}, weights);
+  } else if (word == "up") {
+    feature.head += Vec3(-3, 0, 0) * kDegree;
+    add({{kEyeLookUpLeft, 0.8F}, {kEyeLookUpRight, 0.8F}}, weights);
+  } else if (word == "left") {
+    feature.head += Vec3(0, 5, 0) * kDegree;
+    add({{kEyeLookOutLeft, 0.8F}, {kEyeLookInRight, 0.8F}}, weights);
+  } else if (word == "right") {
+    feature.head += Vec3(0, -5, 0) * kDegree;
+    add({{kEyeLookInLeft, 0.8F}, {kEyeLookOutRight, 0.8F}}, weights);
+  } else {
+    return false;
+  }
   return true;
 }
 

@@ -33,6 +33,8 @@ struct StageOptions {
   int width = 1280, height = 720;  ///< pixels, 1 to 16384
   int samples = 4;                 ///< anti-aliasing: 1, 2, 4 or 8 samples a pixel
   bool flat = false;               ///< flat shading, with the rigid flat model
+  bool rigid = false;              ///< rigid segments instead of joints that bend the skin
+  bool shadow = true;              ///< hands and forearms throw a shadow on body and face
   CameraName camera = CameraName::kFront;
   uint32_t background = 0xC9D3D9;        ///< 0x00RRGGBB
   int threads = 1;                       ///< that share the work of a frame
@@ -44,11 +46,16 @@ struct StageOptions {
 raster::Camera stage_camera(const Figure& figure, CameraName name, float aspect);
 raster::Lighting stage_lighting();
 
+class ArmShadow;
+
 /// Draws one figure. Owns a renderer and a model, so one thread at a time; any number of stages can share a figure.
 class Stage {
  public:
   /// The figure must outlive the stage. kUsage for sizes, sample counts or kernels that the rasteriser does not take.
   static Result<Stage> build(const Figure& figure, const StageOptions& options);
+  Stage(Stage&&) noexcept;
+  Stage& operator=(Stage&&) noexcept;
+  ~Stage();
 
   /// Draws a pose into width * height pixels (0x00RRGGBB). `canvas` says what they hold: with kLastFrame only what has
   /// changed since the last render is drawn and written. Nothing is allocated after the first frame.
@@ -67,6 +74,7 @@ class Stage {
   const Figure* figure_;
   StageOptions options_;
   std::unique_ptr<BodyModel> model_;
+  std::unique_ptr<ArmShadow> shadow_;  ///< null: none
   raster::Renderer renderer_;
   raster::Camera camera_;
   std::vector<Transform> world_;

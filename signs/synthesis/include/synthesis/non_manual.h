@@ -23,7 +23,10 @@ struct BodyFeature {
 /// empty word and "neutral" add nothing and are known.
 bool add_brows(std::string_view word, FaceWeights& weights);
 bool add_eyes(std::string_view word, FaceWeights& weights);
+/// Knows the lexicon's words and the codes of SiGML's mouth gestures.
 bool add_mouth(std::string_view word, FaceWeights& weights);
+/// "D01" to "D09", "J01" to "J04", "L01" to "L35", "C01" to "C13", "T01" to "T17".
+bool add_mouth_gesture(std::string_view code, FaceWeights& weights);
 bool add_cheeks(std::string_view word, FaceWeights& weights);
 bool add_face(std::string_view word, FaceWeights& weights);
 bool add_head(std::string_view word, BodyFeature& feature);
