@@ -46,7 +46,7 @@ void place_nodes(const Avatar& avatar, const AvatarPose& pose, std::span<glm::dm
 }
 
 AvatarPoser::AvatarPoser(const Avatar& avatar) : avatar_(avatar), world_from_node_(avatar.nodes.size()) {
-  size_t most_joints = 1;
+  size_t most_joints = 0;
   for (const AvatarSkin& skin : avatar.skins)
     most_joints = std::max(most_joints, skin.joints.size());
   world_from_mesh_.resize(most_joints);
@@ -66,8 +66,19 @@ AvatarPoser::AvatarPoser(const Avatar& avatar) : avatar_(avatar), world_from_nod
 void AvatarPoser::pose(const AvatarPose& pose) {
   assert(pose.morph_weights.size() == avatar_.meshes.size());
   place_nodes(avatar_, pose, world_from_node_);
-  for (Part& part : parts_)
+  int node = kNoNode;
+  for (Part& part : parts_) {
+    if (part.node != node) place_joints(avatar_.nodes[static_cast<size_t>(part.node)].skin);
+    node = part.node;
     pose_part(pose, part);
+  }
+}
+
+void AvatarPoser::place_joints(int skin_of_node) {
+  if (skin_of_node < 0) return;
+  const AvatarSkin& skin = avatar_.skins[static_cast<size_t>(skin_of_node)];
+  for (size_t j = 0; j < skin.joints.size(); ++j)
+    world_from_mesh_[j] = world_from_node_[static_cast<size_t>(skin.joints[j])] * skin.joint_from_mesh[j];
 }
 
 void AvatarPoser::pose_part(const AvatarPose& pose, Part& part) {
@@ -87,15 +98,8 @@ void AvatarPoser::pose_part(const AvatarPose& pose, Part& part) {
   }
 
   const bool is_skinned = node.skin >= 0 && !vertices.joints.empty();
-  if (is_skinned) {
-    const AvatarSkin& skin = avatar_.skins[static_cast<size_t>(node.skin)];
-    for (size_t j = 0; j < skin.joints.size(); ++j)
-      world_from_mesh_[j] = world_from_node_[static_cast<size_t>(skin.joints[j])] * skin.joint_from_mesh[j];
-  } else {
-    world_from_mesh_[0] = world_from_node_[static_cast<size_t>(part.node)];
-  }
   for (size_t i = 0; i < part.positions.size(); ++i) {
-    glm::dmat4 world_from_mesh = world_from_mesh_[0];
+    glm::dmat4 world_from_mesh = world_from_node_[static_cast<size_t>(part.node)];
     if (is_skinned) {
       world_from_mesh = glm::dmat4(0.0);
       for (int k = 0; k < 4; ++k)

@@ -198,6 +198,11 @@ TEST_F(AvatarHostile, FewerMatricesThanJointsAndFewerNumbersThanVertices) {
   expect_refused(ErrorCode::kMalformed);
 }
 
+TEST_F(AvatarHostile, SkinsWithMoreJointsThanThereAreNodes) {
+  document_.json["skins"][0] = {{"joints", json(std::vector<int>(kMaxAvatarNodes + 1, 1))}};
+  expect_refused(ErrorCode::kLimit);
+}
+
 TEST_F(AvatarHostile, NumbersThatAreNotFiniteOrHuge) {
   const std::string binary = document_.binary;
   const json matrices = document_.json["accessors"][document_.json["skins"][0]["inverseBindMatrices"].get<size_t>()];

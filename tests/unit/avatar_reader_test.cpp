@@ -176,6 +176,28 @@ TEST(AvatarReader, PrimitivesOverTheSameVerticesShareThem) {
   expect_near(poser.parts()[1].positions[3], {0, 2, 0});
 }
 
+TEST(AvatarReader, QuantisedNumbersAreRead) {
+  GlbDocument document = tiny_avatar();
+  document.json["extensionsRequired"] = {"KHR_mesh_quantization"};
+  const auto add_shorts = [&](const char* type, const std::vector<int16_t>& values, size_t stride, bool is_normalised) {
+    std::string bytes;
+    for (const int16_t value : values)
+      append_little_endian(bytes, value);
+    const size_t view = document.add_view(bytes);
+    document.json["bufferViews"][view]["byteStride"] = stride;
+    document.json["accessors"].push_back(
+        {{"bufferView", view}, {"componentType", 5122}, {"count", 4}, {"type", type}, {"normalized", is_normalised}});
+    return document.json["accessors"].size() - 1;
+  };
+  auto& attributes = document.json["meshes"][0]["primitives"][0]["attributes"];
+  attributes["POSITION"] = add_shorts("VEC3", {0, 1, 0, 0, 1, 1, 0, 0, 1, -2, 0, 0, 0, 2, 0, 0}, 8, false);
+  attributes["TEXCOORD_0"] = add_shorts("VEC2", {0, 32767, 32767, 32767, -32768, 0, 0, 0}, 4, true);
+  const Avatar avatar = read(document);
+  EXPECT_EQ(avatar.meshes[0].vertices[0].positions[2], glm::vec3(1, -2, 0));
+  EXPECT_EQ(avatar.meshes[0].vertices[0].texture_coordinates[1], glm::vec2(1, 1));
+  EXPECT_EQ(avatar.meshes[0].vertices[0].texture_coordinates[2], glm::vec2(-1, 0));
+}
+
 TEST(AvatarReader, StripsAndFansBecomeTriangles) {
   GlbDocument document = tiny_avatar();
   auto& primitive = document.json["meshes"][0]["primitives"][0];

@@ -135,6 +135,8 @@ TEST(AvatarSamples, MakeHumanVrmIsReadByItsMap) {
   AUSLAN_NEEDS_AVATAR("makehuman.vrm");
   const Avatar avatar = read("makehuman.vrm");
   EXPECT_EQ(avatar.kind, Avatar::Kind::kVrm1);
+  EXPECT_EQ(avatar.author, "MakeHuman team and contributors (CC0 assets)");
+  EXPECT_EQ(avatar.licence, "https://creativecommons.org/publicdomain/zero/1.0/");
   EXPECT_EQ(avatar.rig, "");
   EXPECT_EQ(triangle_count(avatar), 29782U);
   EXPECT_EQ(mapped(avatar), 52);
@@ -179,6 +181,8 @@ TEST(AvatarSamples, GodetteHasNoRingFingerAndSpeaksByExpressions) {
   AUSLAN_NEEDS_AVATAR("godette.vrm");
   const Avatar avatar = read("godette.vrm");
   EXPECT_EQ(avatar.kind, Avatar::Kind::kVrm0);
+  EXPECT_EQ(avatar.author, "SirRichard94");
+  EXPECT_EQ(avatar.licence, "CC_BY");
   EXPECT_EQ(triangle_count(avatar), 3439U);
   EXPECT_EQ(avatar.meshes.at(0).morph_names.size(), 15U);
   EXPECT_EQ(avatar.meshes.at(0).morph_names.at(3), "blink_left");

@@ -161,10 +161,12 @@ case_foreign_figures() {
   local in=$work/data
   mkfifo "$in/pipe.glb" && run avatar "$in/pipe.glb" && refused 1 'pipe\.glb'
   printf 'solid cube' >"$in/cube.glb" && run avatar "$in/cube.glb" && refused 1 'cube\.glb.*glTF'
-  printf '{"asset":{"version":"2.0"}}' >"$in/empty.gltf" && run avatar "$in/empty.gltf" && refused 1 'empty\.gltf.*no triangles'
+  printf '{"asset":{"version":"2.0"}}' >"$in/empty.gltf"
+  run avatar "$in/empty.gltf" && refused 1 'empty\.gltf.*no triangles'
   printf '{"asset":{"version":"2.0"},"nodes":[{"children":[0]}]}' >"$in/loop.gltf" &&
     run avatar "$in/loop.gltf" --json && refused 1 'ancestor'
-  printf '{"extras":%s' "$(head -c 20000 /dev/zero | tr '\0' '[')" >"$in/deep.gltf" && run avatar "$in/deep.gltf" && refused 1 'deep\.gltf.*nested'
+  printf '{"extras":%s' "$(head -c 20000 /dev/zero | tr '\0' '[')" >"$in/deep.gltf"
+  run avatar "$in/deep.gltf" && refused 1 'deep\.gltf.*nested'
   printf 'glTF' >"$in/huge.glb" && truncate -s 65M "$in/huge.glb" && run avatar "$in/huge.glb" && refused 1 'huge\.glb'
 }
 

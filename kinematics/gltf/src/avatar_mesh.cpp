@@ -87,7 +87,7 @@ Result<void> read_influences(const tinygltf::Primitive& primitive, AccessorReade
     for (size_t s = 0; s < sets; ++s)
       for (size_t k = 0; k < 4; ++k) {
         const double joint = joints[s][4 * i + k];
-        if (!(joint >= 0.0 && joint <= 65535.0 && joint == std::floor(joint)))
+        if (!(joint >= 0.0 && joint <= 65535.0 && joint == static_cast<double>(static_cast<uint16_t>(joint))))
           return malformed("a joint of a vertex is not a whole number", place);
         influences[4 * s + k] = {.weight = std::max(weights[s][4 * i + k], 0.0), .joint = static_cast<uint16_t>(joint)};
       }
@@ -291,6 +291,15 @@ struct VertexKey {
 void Warnings::add(std::string text) {
   if (texts_.size() < kMaxWarnings && std::ranges::find(texts_, text) == texts_.end())
     texts_.push_back(std::move(text));
+}
+
+std::string shortened(const std::string& name) {
+  constexpr size_t kMostBytes = 60;
+  if (name.size() <= kMostBytes) return name;
+  size_t end = kMostBytes;
+  while (end > 0 && (static_cast<unsigned char>(name[end]) & 0xC0U) == 0x80U)  // not within a UTF-8 sequence
+    --end;
+  return name.substr(0, end) + "...";
 }
 
 Result<AvatarMesh> read_avatar_mesh(const tinygltf::Model& model, int index, AccessorReader& reader,

@@ -18,6 +18,9 @@ class Warnings {
   std::vector<std::string>& texts_;
 };
 
+/// A name for a warning: cut, since names may be as long as the file and be told of often.
+std::string shortened(const std::string& name);
+
 /// Whole triangles, indices in range, arrays of one length, weights of sum 1. Errors: kMalformed, kLimit; `place` is
 /// the mesh or the accessor. `triangles_left` shrinks by the triangles of the mesh.
 Result<AvatarMesh> read_avatar_mesh(const tinygltf::Model& model, int index, AccessorReader& reader,

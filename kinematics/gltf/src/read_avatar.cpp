@@ -21,7 +21,7 @@ using gltf::place_of;
 using gltf::Warnings;
 
 /// Extensions that may be required: read, or such that the figure is still itself without them.
-constexpr std::array<std::string_view, 19> kKnownExtensions = {"VRM",
+constexpr std::array<std::string_view, 24> kKnownExtensions = {"VRM",
                                                                "VRMC_vrm",
                                                                "VRMC_materials_mtoon",
                                                                "VRMC_materials_hdr_emissiveMultiplier",
@@ -39,7 +39,12 @@ constexpr std::array<std::string_view, 19> kKnownExtensions = {"VRM",
                                                                "KHR_lights_punctual",
                                                                "KHR_mesh_quantization",
                                                                "KHR_texture_transform",
-                                                               "KHR_texture_basisu"};
+                                                               "KHR_texture_basisu",
+                                                               "KHR_materials_anisotropy",
+                                                               "KHR_materials_iridescence",
+                                                               "KHR_materials_pbrSpecularGlossiness",
+                                                               "KHR_xmp_json_ld",
+                                                               "EXT_texture_webp"};
 constexpr double kMaxNumber = 1e9;  ///< of a node's translation, scale or matrix; the world is bounded later
 
 tl::unexpected<Error> malformed(std::string message, std::string place) {
@@ -121,10 +126,12 @@ Result<std::vector<int>> read_nodes(const tinygltf::Model& model, Avatar& avatar
   std::vector<int> parent(count, kNoNode);
   for (size_t i = 0; i < count; ++i)
     for (const int child : model.nodes[i].children) {
-      const std::string place = place_of("nodes", static_cast<int>(i), model.nodes[i].name);
+      // Made on demand: a name may be as long as the file, and a node may have thousands of children.
+      const auto place = [&] { return place_of("nodes", static_cast<int>(i), model.nodes[i].name); };
       if (child < 0 || static_cast<size_t>(child) >= count)
-        return malformed("the node names a child that does not exist", place);
-      if (parent[static_cast<size_t>(child)] != kNoNode) return malformed("a child of the node has two parents", place);
+        return malformed("the node names a child that does not exist", place());
+      if (parent[static_cast<size_t>(child)] != kNoNode)
+        return malformed("a child of the node has two parents", place());
       parent[static_cast<size_t>(child)] = static_cast<int>(i);
     }
   std::vector<int> node_of_source(count, kNoNode);
@@ -156,6 +163,8 @@ Result<void> read_skins(const tinygltf::Model& model, std::span<const int> node_
     const std::string place = place_of("skins", static_cast<int>(s), source.name);
     AvatarSkin skin;
     if (source.joints.empty()) return malformed("the skin has no joints", place);
+    if (source.joints.size() > kMaxAvatarNodes)
+      return fail(ErrorCode::kLimit, "the skin has more than 4096 joints", place);
     for (const int joint : source.joints) {
       if (joint < 0 || static_cast<size_t>(joint) >= node_of_source.size())
         return malformed("a joint of the skin is a node that does not exist", place);
@@ -184,7 +193,7 @@ void read_images(tinygltf::Model& model, Avatar& avatar, Warnings& warnings) {
     if (gltf::is_png(image.bytes.data(), image.bytes.size())) image.format = AvatarImage::Format::kPng;
     if (gltf::is_jpeg(image.bytes.data(), image.bytes.size())) image.format = AvatarImage::Format::kJpeg;
     if (image.bytes.empty())
-      warnings.add("the image " + image.name +
+      warnings.add("the image " + gltf::shortened(image.name) +
                    " is missing or neither PNG nor JPEG; its surfaces keep the base colour alone");
     avatar.images.push_back(std::move(image));
   }
@@ -336,6 +345,8 @@ Result<void> check_extent(const Avatar& avatar) {
 
 void warn_of_what_is_ignored(const tinygltf::Model& model, const Avatar& avatar, Warnings& warnings) {
   if (!model.animations.empty()) warnings.add("animations in the file are not played");
+  if (std::ranges::find(model.extensionsUsed, "VRMC_node_constraint") != model.extensionsUsed.end())
+    warnings.add("bones that follow other bones (constraints, for twist) stay where they rest");
   if (model.extensions.contains("VRMC_springBone")) warnings.add("hair and clothes do not swing (spring bones)");
   if (const auto vrm0 = model.extensions.find("VRM"); vrm0 != model.extensions.end() && vrm0->second.IsObject()) {
     const tinygltf::Value& swinging = vrm0->second.Get("secondaryAnimation");

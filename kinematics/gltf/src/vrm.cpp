@@ -21,6 +21,10 @@ std::string text_of(const Value& value) {
   return value.IsString() ? value.Get<std::string>() : std::string();
 }
 
+std::string first_of(std::string a, std::string b) {
+  return a.empty() ? b : a;
+}
+
 /// A whole number; tinygltf keeps those that a file writes without a point as int.
 std::optional<int> whole(const Value& value) {
   if (value.IsInt()) return value.GetNumberAsInt();
@@ -35,7 +39,7 @@ Result<void> add_bone(const std::string& bone, const Value& node, const std::str
                       std::span<const int> node_of_source, Avatar& avatar, Warnings& warnings) {
   const std::optional<HumanRole> role = human_role(bone);
   if (!role) {
-    warnings.add("the humanoid map names a bone that VRM does not have: " + bone);
+    warnings.add("the humanoid map names a bone that VRM does not have: " + shortened(bone));
     return {};
   }
   const std::optional<int> index = whole(node);
@@ -70,7 +74,8 @@ void add_bind(int mesh, const Value& morph, double weight, AvatarExpression& exp
   const std::optional<int> index = whole(morph);
   if (mesh < 0 || static_cast<size_t>(mesh) >= avatar.meshes.size() || !index || *index < 0 ||
       static_cast<size_t>(*index) >= avatar.meshes[static_cast<size_t>(mesh)].morph_names.size()) {
-    warnings.add("the expression " + expression.name + " names a morph target that does not exist; it does without");
+    warnings.add("the expression " + shortened(expression.name) +
+                 " names a morph target that does not exist; it does without");
     return;
   }
   if (weight > 0.0) expression.binds.push_back({.mesh = mesh, .morph = *index, .weight = weight});
@@ -170,14 +175,23 @@ Result<void> read_vrm(const tinygltf::Model& model, std::span<const int> node_of
   avatar.human_node.fill(kNoNode);
   if (const auto vrm1 = model.extensions.find("VRMC_vrm"); vrm1 != model.extensions.end()) {
     avatar.kind = Avatar::Kind::kVrm1;
-    avatar.name = text_of(member(member(vrm1->second, "meta"), "name"));
+    const Value& meta = member(vrm1->second, "meta");
+    avatar.name = text_of(member(meta, "name"));
+    const Value& authors = member(meta, "authors");
+    for (size_t i = 0; i < authors.ArrayLen(); ++i)
+      avatar.author += (i == 0 ? "" : ", ") + text_of(authors.Get(static_cast<int>(i)));
+    avatar.licence = first_of(text_of(member(meta, "otherLicenseUrl")), text_of(member(meta, "licenseUrl")));
     return read_vrm1(vrm1->second, node_of_source, avatar, warnings);
   }
   if (const auto vrm0 = model.extensions.find("VRM"); vrm0 != model.extensions.end()) {
     avatar.kind = Avatar::Kind::kVrm0;
-    avatar.name = text_of(member(member(vrm0->second, "meta"), "title"));
+    const Value& meta = member(vrm0->second, "meta");
+    avatar.name = text_of(member(meta, "title"));
+    avatar.author = text_of(member(meta, "author"));
+    avatar.licence = first_of(text_of(member(meta, "otherLicenseUrl")), text_of(member(meta, "licenseName")));
     return read_vrm0(vrm0->second, node_of_source, avatar, warnings);
   }
+  avatar.licence = model.asset.copyright;
   return {};
 }
 

@@ -11,9 +11,9 @@
 
 namespace auslan::gltf {
 
-/// Fills the kind, the humanoid map and the expressions of an avatar whose nodes and meshes are read. `node_of_source`
-/// gives the avatar's node for one of the file. Errors: kMalformed for parts of the map that lead nowhere; binds that
-/// do are left out with a warning.
+/// Fills the kind, the name, author and licence, the humanoid map and the expressions of an avatar whose nodes and
+/// meshes are read. `node_of_source` gives the avatar's node for one of the file. Errors: kMalformed for parts of the
+/// map that lead nowhere; binds that do are left out with a warning.
 Result<void> read_vrm(const tinygltf::Model& model, std::span<const int> node_of_source, Avatar& avatar,
                       Warnings& warnings);
 

@@ -43,6 +43,7 @@ class AvatarPoser {
   std::span<const glm::dmat4> world_from_node() const { return world_from_node_; }
 
  private:
+  void place_joints(int skin_of_node);
   void pose_part(const AvatarPose& pose, Part& part);
 
   const Avatar& avatar_;

@@ -231,6 +231,9 @@ std::string avatar_text(const std::string& file, const Avatar& avatar) {
   const Sizes sizes = sizes_of(avatar);
   std::string text = shown(file) + ": " + std::string(name_of(avatar.kind)) +
                      (avatar.name.empty() ? "" : ", \"" + shown(avatar.name) + "\"") + "\n";
+  if (!avatar.author.empty() || !avatar.licence.empty())
+    text += line("made by", (avatar.author.empty() ? "unknown" : shown(avatar.author)) +
+                                "; licence: " + (avatar.licence.empty() ? "not stated" : shown(avatar.licence, 200)));
   text +=
       line("size", counted(triangle_count(avatar), "triangle", "triangles") + ", " +
                        counted(sizes.vertices, "vertex", "vertices") + ", " +
@@ -273,6 +276,8 @@ Json avatar_json(const std::string& file, const Avatar& avatar) {
   Json json = {{"file", file},
                {"kind", name_of(avatar.kind)},
                {"name", avatar.name},
+               {"author", avatar.author},
+               {"licence", avatar.licence},
                {"rig", avatar.rig},
                {"triangles", triangle_count(avatar)},
                {"vertices", sizes.vertices},
