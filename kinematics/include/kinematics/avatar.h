@@ -108,8 +108,8 @@ struct Avatar {
   enum class Kind : uint8_t { kGltf, kVrm0, kVrm1 };
   Kind kind = Kind::kGltf;
   std::string name;
-  std::string author;   ///< as the file tells; empty where it does not
-  std::string licence;  ///< a name, an address or a notice
+  std::string author;             ///< as the file tells; empty where it does not
+  std::string licence;            ///< a name, an address or a notice
   std::vector<AvatarNode> nodes;  ///< parents first
   std::vector<AvatarMesh> meshes;
   std::vector<AvatarSkin> skins;
