@@ -7,7 +7,8 @@
 set -u -o pipefail
 self=$(readlink -f -- "${BASH_SOURCE[0]}")
 program=$(readlink -f -- "$1") data=$(readlink -f -- "$2") name=$3
-export ASAN_OPTIONS=exitcode=86:${ASAN_OPTIONS:-} UBSAN_OPTIONS=exitcode=86:print_stacktrace=1:${UBSAN_OPTIONS:-}
+# LeakSanitizer guesses where the thread-local storage of loaded modules lies, and crashes when it guesses wrong.
+export ASAN_OPTIONS=exitcode=86:intercept_tls_get_addr=0:${ASAN_OPTIONS:-} UBSAN_OPTIONS=exitcode=86:print_stacktrace=1:${UBSAN_OPTIONS:-}
 export AUSLANJAM_DATA=$data
 unset DISPLAY WAYLAND_DISPLAY
 
