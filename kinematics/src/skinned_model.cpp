@@ -7,6 +7,7 @@
 #include "kinematics/rotation.h"
 #include "segment.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
