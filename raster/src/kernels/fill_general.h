@@ -242,7 +242,6 @@ struct FillGeneral {
     return L::select(bit0, one, zero) + L::select(bit1, two, zero) + L::select(bit2, four, zero);
   }
 
-  // Fills one cell; returns the least depth in it.
   // The triangle's colours along the rows of one cell.
   struct CellColours {
     using Shader = typename Resolve<L, kSamples>::Shader;
