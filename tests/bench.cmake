@@ -35,10 +35,18 @@ add_custom_target(bench_scenes DEPENDS ${_scenes})
 
 add_executable(raster_frames bench/raster_frames.cpp)
 target_link_libraries(raster_frames PRIVATE auslan_bench_scene)
+add_library(auslan_bench_stage STATIC bench/stage_series.cpp)
+target_link_libraries(auslan_bench_stage
+  PUBLIC auslan_bench_scene auslan::stage auslan::synthesis PRIVATE auslan::lexicon)
+target_include_directories(auslan_bench_stage PRIVATE support)
+target_compile_definitions(auslan_bench_stage PRIVATE AUSLANJAM_BINARY_DIR="${PROJECT_BINARY_DIR}")
+add_executable(stage_frames bench/stage_frames.cpp)
+target_link_libraries(stage_frames PRIVATE auslan_bench_stage)
 add_executable(raster_bench
   bench/measurement.cpp bench/peer_process.cpp bench/picture_difference.cpp bench/raster_bench.cpp bench/report.cpp)
-target_link_libraries(raster_bench PRIVATE auslan_bench_scene benchmark::benchmark nlohmann_json::nlohmann_json)
-add_dependencies(tests_bench raster_bench raster_frames bench_scenes)
+target_link_libraries(raster_bench PRIVATE auslan_bench_stage benchmark::benchmark nlohmann_json::nlohmann_json)
+add_dependencies(tests_bench
+  raster_bench raster_frames stage_frames bench_scenes auslan_baked_figure auslan_built_lexicon)
 
 # Mesa in memory, where it is installed.
 find_path(OSMESA_INCLUDE_DIR GL/osmesa.h)
@@ -64,6 +72,6 @@ set_tests_properties(bench.every_scene bench.report PROPERTIES LABELS bench TIME
 # Counts hold for one compiler and its optimised build.
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_BUILD_TYPE STREQUAL Release AND NOT AUSLANJAM_SANITIZE
     AND CMAKE_SYSTEM_PROCESSOR STREQUAL x86_64)
-  add_test(NAME instructions COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/bench/instructions.sh $<TARGET_FILE:raster_frames>)
+  add_test(NAME instructions COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/bench/instructions.sh $<TARGET_FILE_DIR:raster_frames>)
   set_tests_properties(instructions PROPERTIES LABELS conformance SKIP_RETURN_CODE 77 TIMEOUT 1200)
 endif()

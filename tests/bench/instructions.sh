@@ -1,15 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
 # Counts the instructions and last-level cache misses of a frame and compares them with instructions.txt.
-#   instructions.sh RASTER_FRAMES            exit 0 when none has grown, 1 when one has, 77 where there is no valgrind
-#   instructions.sh --print RASTER_FRAMES    prints the file with the counts that hold now
-# A frame is a run of 11 frames less a run of 1, divided by 10: what the program does once drops out, and the first frame,
-# which has to write every pixel, with it. The caches are those of a small processor.
+#   instructions.sh PROGRAMS            exit 0 when none has grown, 1 when one has, 77 where there is no valgrind
+#   instructions.sh --print PROGRAMS    prints the file with the counts that hold now
+# PROGRAMS is the folder of raster_frames, which draws the scenes of the rasteriser, and stage_frames, which draws the
+# figure as it signs. A frame is a run of 11 frames less a run of 1, divided by 10: what the program does once drops out,
+# and the first frame, which has to write every pixel, with it. The caches are those of a small processor.
 set -u -o pipefail
 list=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/instructions.txt
 print=
 [[ ${1:-} == --print ]] && print=yes && shift
-program=$(readlink -f -- "$1")
+programs=$(readlink -f -- "$1")
 
 if ! command -v valgrind >/dev/null; then
   echo "skipped: valgrind is not installed"
@@ -20,7 +21,8 @@ trap 'rm -rf "$work"' EXIT
 
 # count FRAMES ARGUMENT...: "instructions misses" of a whole run.
 count() {
-  local frames=$1 scene=$2 width=$3 height=$4 samples=$5 kernel=$6 redraw=$7
+  local frames=$1 scene=$2 width=$3 height=$4 samples=$5 kernel=$6 redraw=$7 program=$programs/raster_frames
+  [[ $scene != figure* ]] || program=$programs/stage_frames
   if ! valgrind --tool=cachegrind --I1=32768,8,64 --D1=24576,6,64 --LL=1048576,16,64 --cache-sim=yes \
     --cachegrind-out-file="$work/out" "$program" "$scene" "$width" "$height" "$samples" "$kernel" 1 "$redraw" "$frames" \
     >"$work/log" 2>&1; then
@@ -42,7 +44,7 @@ while IFS= read -r line; do
   read -r one one_missed < <(count 1 "${arguments[@]}")
   read -r many many_missed < <(count 11 "${arguments[@]}")
   if [[ -z ${one:-} || -z ${many:-} ]]; then
-    echo "raster_frames ${arguments[*]} failed under valgrind" >&2
+    echo "the frames of ${arguments[*]} failed under valgrind" >&2
     exit 1
   fi
   instructions=$(((many - one) / 10)) misses=$(((many_missed - one_missed) / 10))

@@ -5,6 +5,7 @@
 #include "measurement.h"
 #include "peer_process.h"
 #include "picture_difference.h"
+#include "stage_series.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -53,6 +54,7 @@ class Report {
   void size_table();
   void redraw_table();
   void softpipe_table();
+  void figure_table();
   void start_and_memory();
   void write_json();
 
@@ -311,6 +313,46 @@ void Report::softpipe_table() {
   }
 }
 
+void Report::figure_table() {
+  struct Row {
+    const char* title;
+    FigureForm form;
+    int samples;
+  };
+  std::vector<raster::Kernel> kernels = {best_};
+  if (const auto sse2 = kernel_of("sse2"); sse2 && *sse2 != best_) kernels.push_back(*sse2);
+  print_head("the figure as it signs, score to pixels, one thread, CPU ms a frame at 1280x720",
+             {"what changed", "every pixel", "triangles"});
+  for (const Row& row : {Row{"plain: rigid, no shadow, one sample", FigureForm::kPlain, 1},
+                         Row{"default: smooth joints, shadow, 4×", FigureForm::kDefault, 4}}) {
+    for (const raster::Kernel kernel : kernels) {
+      std::vector<std::unique_ptr<StageSeries>> series;
+      std::vector<Engine> engines;
+      for (const bool every_pixel : {false, true}) {
+        series.push_back(std::make_unique<StageSeries>(StageSeriesOptions{
+            .form = row.form, .samples = row.samples, .kernel = kernel, .every_pixel = every_pixel}));
+        engines.push_back({row.title, [frames_of = series.back().get()](int frames) {
+                             std::vector<FrameTime> times;
+                             for (int i = 0; i < frames; ++i)
+                               times.push_back(frames_of->draw());
+                             return times;
+                           }});
+      }
+      const std::vector<Figures> figures = measure(engines, patience_);
+      const std::string kernel_name(raster::name_of(kernel));
+      print_row(row.title + (", " + kernel_name), {milliseconds(figures[0].cpu_ms), milliseconds(figures[1].cpu_ms),
+                                                   std::to_string(series.front()->triangle_count())});
+      json_["figure"].push_back({{"form", kFigureFormNames[static_cast<size_t>(row.form)]},
+                                 {"kernel", kernel_name},
+                                 {"samples", row.samples},
+                                 {"triangles", series.front()->triangle_count()},
+                                 {"cpu_ms", figures[0].cpu_ms},
+                                 {"least_cpu_ms", figures[0].least_cpu_ms},
+                                 {"every_pixel_cpu_ms", figures[1].cpu_ms}});
+    }
+  }
+}
+
 void Report::start_and_memory() {
   print_head("the library alone, one frame of signer 22k at 1280x720",
              {"start of the process to the frame, ms", "peak memory, MB"});
@@ -374,6 +416,7 @@ int Report::run() {
   size_table();
   redraw_table();
   softpipe_table();
+  figure_table();
   start_and_memory();
   write_json();
   return failed_ ? 1 : 0;

@@ -9,6 +9,7 @@
 #include "synthesis/performance.h"
 
 #include <cmath>
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <optional>
 #include <string>
@@ -216,6 +217,32 @@ TEST(Motion, TheLeftHandedSignerIsTheExactMirrorImage) {
       EXPECT_NEAR(original.y, image.y, 1e-12) << skeleton.node(i).name;
       EXPECT_NEAR(original.z, image.z, 1e-12) << skeleton.node(i).name;
     }
+  }
+}
+
+TEST(Motion, EveryChannelOfTheFaceChangesSidesWithTheHands) {
+  Shipped& s = shipped();
+  Score score;
+  score.end = ticks(1.0);
+  FaceSpan span{.begin = 0, .end = score.end};
+  for (size_t i = 0; i < span.weights.size(); ++i)
+    span.weights[i] = static_cast<float>(i + 1) / 64.0F;
+  score.face = {span};
+  PerformanceOptions left = still();
+  left.left_handed = true;
+  Pose a, b;
+  Performance(*s.signer, score, still()).sample(ticks(0.5), a);
+  Performance(*s.signer, score, left).sample(ticks(0.5), b);
+  for (size_t i = 0; i < a.face.size(); ++i) {
+    std::string image(kFaceChannelNames[i]);
+    if (image.ends_with("Left")) {
+      image.replace(image.size() - 4, 4, "Right");
+    } else if (image.ends_with("Right")) {
+      image.replace(image.size() - 5, 5, "Left");
+    }
+    const auto at = std::find(kFaceChannelNames.begin(), kFaceChannelNames.end(), image);
+    ASSERT_NE(at, kFaceChannelNames.end()) << image;
+    EXPECT_EQ(a.face[i], b.face[static_cast<size_t>(at - kFaceChannelNames.begin())]) << image;
   }
 }
 

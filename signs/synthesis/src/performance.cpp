@@ -95,20 +95,11 @@ void mirror_pose(const std::vector<int>& table, Pose& pose) {
     pose.rotation[j] = Quat(a.w, a.x, -a.y, -a.z);
   }
   pose.root_translation.x = -pose.root_translation.x;
-  const auto swap = [&pose](FaceChannel left, FaceChannel right) {
-    std::swap(pose.face[static_cast<size_t>(left)], pose.face[static_cast<size_t>(right)]);
-  };
-  using enum FaceChannel;
-  swap(kBrowOuterUpLeft, kBrowOuterUpRight);
-  swap(kBrowDownLeft, kBrowDownRight);
-  swap(kEyeBlinkLeft, kEyeBlinkRight);
-  swap(kEyeWideLeft, kEyeWideRight);
-  swap(kMouthSmileLeft, kMouthSmileRight);
-  swap(kMouthFrownLeft, kMouthFrownRight);
-  swap(kMouthStretchLeft, kMouthStretchRight);
-  swap(kMouthPressLeft, kMouthPressRight);
-  swap(kMouthLowerDownLeft, kMouthLowerDownRight);
-  swap(kMouthUpperUpLeft, kMouthUpperUpRight);
+  for (int i = 0; i < kFaceChannelCount; ++i) {
+    const auto left = static_cast<FaceChannel>(i);
+    if (const FaceChannel right = right_of(left); right != left)
+      std::swap(pose.face[static_cast<size_t>(left)], pose.face[static_cast<size_t>(right)]);
+  }
 }
 
 }  // namespace
