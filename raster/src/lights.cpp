@@ -46,9 +46,12 @@ PreparedLights prepare(const Lighting& lighting) noexcept {
   PreparedLights lights{};
   set_direction(lighting.key_direction, lights.key_direction);
   set_direction(lighting.fill_direction, lights.fill_direction);
+  set_direction(lighting.rim_direction, lights.rim_direction);
   for (int c = 0; c < 3; ++c) {
     lights.key_colour[c] = sane(lighting.key_colour[c]);
     lights.fill_colour[c] = sane(lighting.fill_colour[c]);
+    lights.rim_colour[c] = sane(lighting.rim_colour[c]);
+    lights.rim = lights.rim || lights.rim_colour[c] > 0.0F;
     const float sky = sane(lighting.ambient_sky[c]);
     const float ground = sane(lighting.ambient_ground[c]);
     lights.ambient_middle[c] = 0.5F * sky + 0.5F * ground;
@@ -63,10 +66,12 @@ uint32_t flat_colour(const MeshView& mesh, const uint32_t corner[3], const Place
   const glm::vec3 world = world_normal(placement, normal);
   const float key = larger(dot(lights.key_direction, world), 0.0F);
   const float fill = larger(dot(lights.fill_direction, world), 0.0F);
+  const float rim = larger(dot(lights.rim_direction, world), 0.0F);
   uint32_t pixel = 0;
   for (int c = 0; c < 3; ++c) {
     const float ambient = lights.ambient_middle[c] + world.y * lights.ambient_swing[c];
-    const float light = (ambient + key * lights.key_colour[c]) + fill * lights.fill_colour[c];
+    const float front = (ambient + key * lights.key_colour[c]) + fill * lights.fill_colour[c];
+    const float light = front + rim * lights.rim_colour[c];
     float surface = 0.0F;
     for (int i = 0; i < 3; ++i)
       surface = surface + linear_from_srgb(mesh.colours[corner[i]][c]);

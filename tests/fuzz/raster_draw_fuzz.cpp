@@ -226,6 +226,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
   frame.lighting.key_direction = in.vector();
   frame.lighting.key_colour = in.vector();
   frame.lighting.ambient_sky = in.vector();
+  frame.lighting.rim_direction = frame.lighting.ambient_sky;
+  frame.lighting.rim_colour = frame.lighting.key_colour;
   uint64_t revision = 0;
   for (uint32_t d = 0; d < 8 && !in.empty(); ++d) {
     frame.draws.push_back(read_draw(in));

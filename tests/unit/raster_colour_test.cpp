@@ -125,6 +125,31 @@ TEST_P(Lambert, LightsAdd) {
   EXPECT_EQ(lit_pixel(lighting, kTowardsViewer, kSkin), expected(base + 0.25 * 0.6, base, base + 0.5 * 0.6, kSkin));
 }
 
+TEST_P(Lambert, TheRimFollowsTheSameLawAndAddsToTheOthers) {
+  Lighting lighting = key_only(glm::vec3(3, 0, 4), glm::vec3(0.5F));
+  lighting.rim_direction = glm::vec3(0, 12, -5);
+  lighting.rim_colour = glm::vec3(0.5F, 0.25F, 0.0F);
+  // Facing the viewer the rim gives nothing; facing up it comes at 12/13 and the key at 0; at 45 degrees between up and
+  // back as the cosine says.
+  const double slanted = (12.0 + 5.0) / 13.0 * std::sqrt(0.5);
+  const struct {
+    glm::vec3 normal;
+    double key, rim;
+  } cases[] = {{glm::vec3(0, 0, 1), 0.8, 0.0},
+               {glm::vec3(0, 1, 0), 0.0, 12.0 / 13.0},
+               {glm::vec3(0, 1, -1), 0.0, slanted},
+               {glm::vec3(0.6F, 0.8F, 0), 0.36, 0.8 * 12.0 / 13.0}};
+  for (const auto& c : cases) {
+    const double base = 0.5 * c.key;
+    EXPECT_EQ(lit_pixel(lighting, c.normal, kSkin), expected(base + 0.5 * c.rim, base + 0.25 * c.rim, base, kSkin));
+  }
+  lighting.rim_direction = glm::vec3(0, -4, 3);
+  EXPECT_EQ(lit_pixel(lighting, kTowardsViewer, kSkin, Shading::kFlat),
+            expected(0.4 + 0.5 * 0.6, 0.4 + 0.25 * 0.6, 0.4, kSkin));
+  lighting.rim_colour = glm::vec3(0.0F);
+  EXPECT_EQ(lit_pixel(lighting, kTowardsViewer, kSkin), expected(0.4, 0.4, 0.4, kSkin));
+}
+
 TEST_P(Lambert, AmbientIsAHemisphere) {
   Lighting lighting = key_only(glm::vec3(0, 0, 1), glm::vec3(0.0F));
   lighting.ambient_sky = glm::vec3(0.8F, 0.6F, 0.4F);

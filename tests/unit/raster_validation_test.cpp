@@ -188,6 +188,8 @@ TEST_P(Validation, LightsThatAreNotFiniteAreDark) {
   lighting.key_colour = glm::vec3(1.0F);
   lighting.fill_direction = glm::vec3(0.0F);
   lighting.fill_colour = glm::vec3(kInfinity);
+  lighting.rim_direction = glm::vec3(0.0F, kNan, 1.0F);
+  lighting.rim_colour = glm::vec3(1.0F);
   lighting.ambient_sky = glm::vec3(-1.0F);
   lighting.ambient_ground = glm::vec3(kNan);
   for (const Shading shading : {Shading::kGouraud, Shading::kFlat}) {

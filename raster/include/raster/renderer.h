@@ -45,15 +45,17 @@ struct MeshView {
   uint64_t revision = 0;
 };
 
-/// Two directional lights and a hemisphere. A surface shows its colour times the sum of what it receives: of each light
-/// its colour times the cosine of the angle to it (Lambert), of the hemisphere sky and ground; what exceeds 1 is cut,
-/// each channel for itself. Colours are linear light (1 is full), directions point towards the light in world space at
-/// any length. A direction of length 0 and everything that is not finite or is negative counts as dark.
+/// Three directional lights and a hemisphere. A surface shows its colour times the sum of what it receives: of each
+/// light its colour times the cosine of the angle to it (Lambert), of the hemisphere sky and ground; what exceeds 1 is
+/// cut, each channel for itself. Colours are linear light (1 is full), directions point towards the light in world
+/// space at any length. A direction of length 0 and everything that is not finite or is negative counts as dark.
 struct Lighting {
   glm::vec3 key_direction{0.0F, 0.0F, 1.0F};
   glm::vec3 key_colour{0.0F};
   glm::vec3 fill_direction{0.0F, 0.0F, 1.0F};
   glm::vec3 fill_colour{0.0F};
+  glm::vec3 rim_direction{0.0F, 0.0F, -1.0F};  ///< commonly from behind, so that it edges a figure with light
+  glm::vec3 rim_colour{0.0F};
   glm::vec3 ambient_sky{1.0F};     ///< what a surface that faces up (+Y) receives
   glm::vec3 ambient_ground{1.0F};  ///< what a surface that faces down receives; linear in the normal's y between them
 };

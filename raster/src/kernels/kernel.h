@@ -63,6 +63,8 @@ inline constexpr float kGuardBand = 4194304.0F;
 struct PreparedLights {
   float key_direction[3], key_colour[3];
   float fill_direction[3], fill_colour[3];
+  float rim_direction[3], rim_colour[3];
+  bool rim;                 ///< whether it gives any light
   float ambient_middle[3];  ///< received by a surface that faces the horizon
   float ambient_swing[3];   ///< added times the normal's y
 };

@@ -117,10 +117,13 @@ struct VertexStage {
       const PreparedLights& lights = *job.lights;
       const F key = L::max(dot(lights.key_direction, nx, ny, nz), zero);
       const F fill = L::max(dot(lights.fill_direction, nx, ny, nz), zero);
+      F rim = zero;
+      if (lights.rim) rim = L::max(dot(lights.rim_direction, nx, ny, nz), zero);
       const I colour = L::load(colours);
       for (int c = 0; c < 3; ++c) {
         const F ambient = L::set(lights.ambient_middle[c]) + ny * L::set(lights.ambient_swing[c]);
-        const F light = (ambient + key * L::set(lights.key_colour[c])) + fill * L::set(lights.fill_colour[c]);
+        F light = (ambient + key * L::set(lights.key_colour[c])) + fill * L::set(lights.fill_colour[c]);
+        if (lights.rim) light = light + rim * L::set(lights.rim_colour[c]);
         level[c] = L::round(encode(light * albedo(colour, c)) * L::set(kLevelScale));
       }
     }
