@@ -4,6 +4,7 @@
 #include "clip.h"
 #include "lights.h"
 #include "placement.h"
+#include "textured.h"
 
 #include <algorithm>
 
@@ -52,14 +53,17 @@ struct Bins::Sorting {
   int32_t reach;
   uint32_t tiles_across;
 
+  bool textured() const { return draw.texture_serial != 0; }
   bool two_sided() const { return draw.cull == CullMode::kNone; }
   // Counter-clockwise in the world, y up, is a negative area on the screen, y down.
   bool shows(int64_t area) const { return area != 0 && (two_sided() || (area < 0) != draw.placement.mirrored); }
   const uint32_t* corners(const Survivor& survivor) const { return &draw.mesh.indices[3 * size_t{survivor.triangle}]; }
+  Corner screen_corner(uint32_t vertex) const { return corner_of(vertices.points[vertex], vertices.values[vertex]); }
 };
 
 void Bins::reset() noexcept {
   general_.clear();
+  textured_.clear();
   blocks_ = 0;
 }
 
@@ -80,7 +84,7 @@ void Bins::sort(const KernelTable& kernel, const RecordedDraw& draw, Piece& piec
   job.width = viewport.width;
   job.height = viewport.height;
   job.reach = sorting.reach;
-  job.tails = draw.shading == Shading::kGouraud ? lists.tail.data() : nullptr;
+  job.tails = draw.shading == Shading::kGouraud && !sorting.textured() ? lists.tail.data() : nullptr;
   job.tiles_across = tiles_across;
   job.sink.take = [](void* context, const Survivor& survivor) {
     auto& own = *static_cast<Sorting*>(context);
@@ -107,6 +111,7 @@ void Bins::sort(const KernelTable& kernel, const RecordedDraw& draw, Piece& piec
 void Bins::take(Sorting& sorting, const Survivor& survivor) {
   switch (survivor.route) {
     case Route::kSmall:
+      if (sorting.textured()) return small_textured(sorting, survivor);
       ++sorting.piece.stats.drawn;
       return append(sorting, survivor.corner, colour_of(sorting.draw, sorting.corners(survivor)), survivor.tile_columns,
                     survivor.tile_rows);
@@ -119,17 +124,40 @@ void Bins::take(Sorting& sorting, const Survivor& survivor) {
 
 void Bins::large(Sorting& sorting, const Survivor& survivor) {
   Corner corner[3];
-  for (size_t i = 0; i < 3; ++i) {
-    const uint32_t vertex = survivor.corner[i];
-    corner[i] = corner_of(sorting.vertices.points[vertex], sorting.vertices.values[vertex]);
-  }
+  for (size_t i = 0; i < 3; ++i)
+    corner[i] = sorting.screen_corner(survivor.corner[i]);
   if (!sorting.shows(doubled_area(corner[0], corner[1], corner[2]))) return;
+  if (sorting.textured()) set_coordinates(sorting, survivor, corner);
   const uint32_t colour = colour_of(sorting.draw, sorting.corners(survivor));
   if (add_general(sorting, corner[0], corner[1], corner[2], colour)) ++sorting.piece.stats.drawn;
 }
 
-// A triangle with area that takes the long path. False when no sample of the frame can be inside.
-bool Bins::add_general(Sorting& sorting, const Corner& a, const Corner& b, const Corner& c, uint32_t colour) {
+void Bins::small_textured(Sorting& sorting, const Survivor& survivor) {
+  Corner corner[3];
+  for (size_t i = 0; i < 3; ++i)
+    corner[i] = sorting.screen_corner(survivor.corner[i]);
+  set_coordinates(sorting, survivor, corner);
+  const uint32_t colour = colour_of(sorting.draw, sorting.corners(survivor));
+  if (add_general(sorting, corner[0], corner[1], corner[2], colour, &survivor)) ++sorting.piece.stats.drawn;
+}
+
+void Bins::set_coordinates(const Sorting& sorting, const Survivor& survivor, Corner (&corner)[3]) {
+  uint32_t number[3];
+  for (size_t i = 0; i < 3; ++i)
+    number[i] = survivor.corner[i] - sorting.draw.first_vertex;
+  double coordinates[3][2];
+  // Vertices whose coordinates are not finite have no place on the screen.
+  if (!coordinates_of(sorting.draw.mesh.texture, number, coordinates)) return;
+  for (size_t i = 0; i < 3; ++i) {
+    for (size_t axis = 0; axis < 2; ++axis)
+      corner[i].coordinate[axis] = static_cast<float>(coordinates[i][axis]);
+  }
+}
+
+// A triangle with area that takes the long path, or has a texture: `small` if it may take the short one, with its
+// corners in order. False when no sample of the frame can be inside.
+bool Bins::add_general(Sorting& sorting, const Corner& a, const Corner& b, const Corner& c, uint32_t colour,
+                       const Survivor* small) {
   const auto floor_pixel = [](float sub_pixels) { return static_cast<int32_t>(sub_pixels) >> kSubPixelBits; };
   const auto before = static_cast<float>(kSubPixels / 2 - 1 - sorting.reach);
   const auto behind = static_cast<float>(sorting.reach - kSubPixels / 2);
@@ -141,19 +169,43 @@ bool Bins::add_general(Sorting& sorting, const Corner& a, const Corner& b, const
       first_row >= sorting.viewport.height || last_column < 0 || last_row < 0) {
     return false;
   }
-  const size_t place = general_.size();
+  const size_t place = sorting.textured() ? textured_.size() : general_.size();
   if (place >= (size_t{1} << kBinShift) - 1U) return false;  // Frame makes no group as large
   const bool in_order = doubled_area(a, b, c) > 0;
-  general_.emplace_back();
-  GeneralTriangle& t = general_.back();
-  set_up_general(a, in_order ? b : c, in_order ? c : b, colour, t);
+  const Corner corners[3] = {a, in_order ? b : c, in_order ? c : b};
+  uint32_t word = number_ << kBinShift | static_cast<uint32_t>(place);
+  if (!sorting.textured()) {
+    word |= kGeneralTriangle;
+    general_.emplace_back();
+    set_up_general(corners[0], corners[1], corners[2], colour, general_.back());
+  } else {
+    add_textured(sorting.draw, corners, colour, small != nullptr);
+  }
+  GeneralTriangle& t = sorting.textured() ? textured_.back().shape : general_.back();
   t.first_column = std::max(first_column, 0);
   t.last_column = std::min(last_column, sorting.viewport.width - 1);
   t.first_row = std::max(first_row, 0);
   t.last_row = std::min(last_row, sorting.viewport.height - 1);
-  append(sorting, {0, 0, 0}, kGeneralTriangle | number_ << kBinShift | static_cast<uint32_t>(place),
-         tile_range(t.first_column, t.last_column, kTileWidth), tile_range(t.first_row, t.last_row, kTileHeight));
+  static constexpr uint32_t kNone[3] = {0, 0, 0};
+  append(sorting, small != nullptr ? small->corner : kNone, word, tile_range(t.first_column, t.last_column, kTileWidth),
+         tile_range(t.first_row, t.last_row, kTileHeight));
   return true;
+}
+
+void Bins::add_textured(const RecordedDraw& draw, const Corner (&corners)[3], uint32_t colour, bool small) {
+  Corner lit[3] = {corners[0], corners[1], corners[2]};
+  if (colour != kGouraudColour) {
+    for (Corner& corner : lit) {
+      corner.level[0] = static_cast<float>(red_of(colour));
+      corner.level[1] = static_cast<float>(green_of(colour));
+      corner.level[2] = static_cast<float>(blue_of(colour));
+    }
+  }
+  textured_.emplace_back();
+  TexturedTriangle& t = textured_.back();
+  set_up_textured(lit[0], lit[1], lit[2], t);
+  dress(draw.mesh.texture, t);
+  t.small = small;
 }
 
 // A triangle with a corner that has no place on the screen: cut at the near, far and guard planes, drawn as a fan.
@@ -182,6 +234,14 @@ void Bins::cut(Sorting& sorting, const Survivor& survivor) {
     for (int channel = 0; channel < 3; ++channel)
       to.level[channel] = static_cast<double>(values.level[2 - channel]) / static_cast<double>(kLevelScale);
   }
+  if (sorting.textured()) {
+    double coordinates[3][2];
+    if (!coordinates_of(draw.mesh.texture, corner, coordinates)) any |= kBroken;
+    for (size_t i = 0; i < 3; ++i) {
+      for (size_t axis = 0; axis < 2; ++axis)
+        polygon.corner[i].coordinate[axis] = coordinates[i][axis];
+    }
+  }
   if ((any & kBroken) != 0U) {
     ++stats.rejected;
     return;
@@ -201,6 +261,8 @@ void Bins::cut(Sorting& sorting, const Survivor& survivor) {
     }
     for (int channel = 0; channel < 3; ++channel)
       to.level[channel] = static_cast<float>(v.level[channel]);
+    for (size_t axis = 0; axis < 2; ++axis)
+      to.coordinate[axis] = static_cast<float>(v.coordinate[axis]);
   }
   ++stats.clipped;
   bool drawn = false;
@@ -226,8 +288,17 @@ void Bins::append(Sorting& sorting, const uint32_t (&corner)[3], uint32_t colour
 
 void Bins::append_to(Sorting& sorting, size_t tile, const uint32_t (&corner)[3], uint32_t colour) {
   EntryBlock* tail = sorting.lists.tail[tile];
-  if (tail == nullptr || tail->count == EntryBlock::kCapacity) tail = extend(sorting.lists, tile);
-  const uint32_t i = tail->count++;
+  uint32_t i = 0;
+  if (sorting.textured()) {
+    if (tail == nullptr || tail->textured == 0 || tail->textured == EntryBlock::kCapacity) {
+      tail = extend(sorting.lists, tile);
+      tail->count = EntryBlock::kCapacity;
+    }
+    i = tail->textured++;
+  } else {
+    if (tail == nullptr || tail->count == EntryBlock::kCapacity) tail = extend(sorting.lists, tile);
+    i = tail->count++;
+  }
   for (size_t c = 0; c < 3; ++c)
     tail->corner[c][i] = corner[c];
   tail->colour[i] = colour;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "kernels/kernel.h"
+#include "kernels/texture.h"
 #include "raster/renderer.h"
 
 #include <cstdint>
@@ -32,6 +33,7 @@ struct RecordedDraw {
   Lighting lighting;
   Shading shading = Shading::kGouraud;
   CullMode cull = CullMode::kBack;
+  uint64_t texture_serial = 0;  ///< 0: none
 
   Placement placement{};
   PreparedLights lights{};
@@ -80,6 +82,7 @@ class Bins {
             const ScreenVertices& vertices, const TileLists& lists);
 
   const GeneralTriangle* general() const noexcept { return general_.data(); }
+  const TexturedTriangle* textured() const noexcept { return textured_.data(); }
 
  private:
   struct Sorting;
@@ -88,7 +91,11 @@ class Bins {
   void take(Sorting& sorting, const Survivor& survivor);
   void large(Sorting& sorting, const Survivor& survivor);
   void cut(Sorting& sorting, const Survivor& survivor);
-  bool add_general(Sorting& sorting, const Corner& a, const Corner& b, const Corner& c, uint32_t colour);
+  void small_textured(Sorting& sorting, const Survivor& survivor);
+  static void set_coordinates(const Sorting& sorting, const Survivor& survivor, Corner (&corner)[3]);
+  bool add_general(Sorting& sorting, const Corner& a, const Corner& b, const Corner& c, uint32_t colour,
+                   const Survivor* small = nullptr);
+  void add_textured(const RecordedDraw& draw, const Corner (&corners)[3], uint32_t colour, bool small);
   void append(Sorting& sorting, const uint32_t (&corner)[3], uint32_t colour, uint32_t tile_columns,
               uint32_t tile_rows);
   void append_to(Sorting& sorting, size_t tile, const uint32_t (&corner)[3], uint32_t colour);
@@ -96,6 +103,7 @@ class Bins {
 
   uint32_t number_;
   std::vector<GeneralTriangle> general_;
+  std::vector<TexturedTriangle> textured_;
   std::vector<std::unique_ptr<EntryBlock[]>> pages_;
   size_t blocks_ = 0;
 };

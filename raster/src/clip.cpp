@@ -34,6 +34,8 @@ ClipVertex crossing(const ClipVertex& inner, double inner_distance, const ClipVe
   for (int channel = 0; channel < 3; ++channel) {
     v.level[channel] = inner.level[channel] + t * (outer.level[channel] - inner.level[channel]);
   }
+  for (int axis = 0; axis < 2; ++axis)
+    v.coordinate[axis] = inner.coordinate[axis] + t * (outer.coordinate[axis] - inner.coordinate[axis]);
   return v;
 }
 

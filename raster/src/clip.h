@@ -31,6 +31,7 @@ uint32_t planes_outside(const Viewport& viewport, const glm::vec4& clip) noexcep
 struct ClipVertex {
   double x = 0.0, y = 0.0, z = 0.0, w = 0.0;
   double level[3] = {};
+  double coordinate[2] = {};
 };
 
 /// A convex polygon: each of the six planes adds at most one corner to a triangle.

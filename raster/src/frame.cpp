@@ -3,9 +3,12 @@
 
 #include "lights.h"
 #include "placement.h"
+#include "texture_data.h"
+#include "textured.h"
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstring>
 
 namespace auslan::raster {
@@ -29,12 +32,20 @@ bool same_span(std::span<const Element> a, std::span<const Element> b) {
   return a.data() == b.data() && a.size() == b.size();
 }
 
+bool same_texture(const RecordedDraw& a, const RecordedDraw& b) {
+  const TextureUse& use = a.mesh.texture;
+  const TextureUse& other = b.mesh.texture;
+  return a.texture_serial == b.texture_serial && same_span(use.coordinates, other.coordinates) &&
+         use.wrap_u == other.wrap_u && use.wrap_v == other.wrap_v && use.alpha == other.alpha &&
+         use.alpha_cutoff == other.alpha_cutoff;
+}
+
 bool looks_alike(const RecordedDraw& a, const RecordedDraw& b) {
   return a.mesh.revision != 0 && a.mesh.revision == b.mesh.revision && a.shading == b.shading && a.cull == b.cull &&
          same_span(a.mesh.positions, b.mesh.positions) && same_span(a.mesh.normals, b.mesh.normals) &&
          same_span(a.mesh.colours, b.mesh.colours) && same_span(a.mesh.indices, b.mesh.indices) &&
          same_bytes(a.world_from_mesh, b.world_from_mesh) && same_bytes(a.camera, b.camera) &&
-         same_bytes(a.lighting, b.lighting);
+         same_bytes(a.lighting, b.lighting) && same_texture(a, b);
 }
 
 // A vector that only grows: what is in it is written before it is read, and shrinking would clear it on the way back.
@@ -83,6 +94,8 @@ void Frame::record(const MeshView& mesh, const glm::mat4& world_from_mesh, Shadi
   RecordedDraw& draw = draws_[draw_count_++];
   draw = RecordedDraw{};
   draw.mesh = mesh;
+  if (mesh.texture.texture != nullptr && mesh.texture.texture->data() != nullptr)
+    draw.texture_serial = mesh.texture.texture->data()->serial;
   draw.world_from_mesh = world_from_mesh;
   draw.camera = camera;
   draw.lighting = lighting;
@@ -129,7 +142,10 @@ void Frame::place_draws() {
     const MeshView& mesh = draw.mesh;
     const size_t count = mesh.positions.size();
     const bool normals_fit = mesh.normals.size() == count || (draw.shading == Shading::kFlat && mesh.normals.empty());
-    draw.good = normals_fit && mesh.colours.size() == count && mesh.indices.size() >= 3 &&
+    const TextureUse& use = mesh.texture;
+    const bool texture_fits = use.texture == nullptr || (draw.texture_serial != 0 && use.coordinates.size() == count &&
+                                                         std::isfinite(use.alpha_cutoff));
+    draw.good = normals_fit && texture_fits && mesh.colours.size() == count && mesh.indices.size() >= 3 &&
                 finite(draw.world_from_mesh) && finite(draw.camera.clip_from_view) &&
                 finite(draw.camera.view_from_world) && count > 0 && vertices + count <= kMostVertices &&
                 triangles + mesh.indices.size() / 3 <= kMostTriangles;
@@ -237,6 +253,10 @@ void Frame::transform(bool changed) {
     job.points = &vertices_.points[draw.first_vertex];
     job.values = &vertices_.values[draw.first_vertex];
     kernel_->vertices(job);
+    if (draw.texture_serial == 0) return;
+    for (size_t i = piece.begin; i < piece.end; ++i) {
+      if (!finite(draw.mesh.texture.coordinates[i])) job.points[i].x = kOutside;
+    }
   };
   workers_->share(static_cast<uint32_t>(work_.size()), work);
 }
@@ -318,10 +338,20 @@ void Frame::fill(std::span<uint32_t> pixels) {
   general_.clear();
   for (const Bins& bins : bins_)
     general_.push_back(bins.general());
+  textured_.clear();
+  for (const Bins& bins : bins_)
+    textured_.push_back(bins.textured());
+  const auto drawn = std::span(draws_).first(draw_count_);
+  const bool masked = std::any_of(drawn.begin(), drawn.end(), [](const RecordedDraw& draw) {
+    return draw.texture_serial != 0 && draw.mesh.texture.alpha == AlphaMode::kMask;
+  });
   for (Buffers& buffers : buffers_) {
     const auto words = static_cast<size_t>(kTileStride) * kTileRows * static_cast<size_t>(samples_);
     grow(buffers.colour, words);
     grow(buffers.depth, words);
+    if (!masked) continue;
+    grow(buffers.kept_colour, words);
+    grow(buffers.kept_depth, words);
   }
   auto work = [this, pixels](uint32_t item, int worker) { fill_tile(work_[item], worker, pixels); };
   workers_->share(static_cast<uint32_t>(work_.size()), work);
@@ -351,9 +381,17 @@ void Frame::fill_tile(uint32_t tile, int worker, std::span<uint32_t> pixels) {
   job.points = vertices_.points.data();
   job.values = vertices_.values.data();
   job.general = general_.data();
+  job.textured = textured_.data();
   const size_t margin = static_cast<size_t>(kTileStride) * static_cast<size_t>(samples_) + kTileMargin;
-  job.buffers = TileBuffers{&buffers.colour[margin],      &buffers.depth[margin],    buffers.cell_least.data(),
-                            buffers.cell_greatest.data(), buffers.cell_owner.data(), &buffers.scratch};
+  const bool keeps = !buffers.kept_colour.empty();
+  job.buffers = TileBuffers{&buffers.colour[margin],
+                            &buffers.depth[margin],
+                            buffers.cell_least.data(),
+                            buffers.cell_greatest.data(),
+                            buffers.cell_owner.data(),
+                            &buffers.scratch,
+                            keeps ? buffers.kept_colour.data() + margin : nullptr,
+                            keeps ? buffers.kept_depth.data() + margin : nullptr};
   job.pixel_stride = static_cast<size_t>(viewport_.width);
   kernel_->tile[samples_ == 1 ? 0 : samples_ == 2 ? 1 : samples_ == 4 ? 2 : 3](job);
 }

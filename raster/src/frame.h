@@ -78,6 +78,7 @@ class Frame {
   std::vector<EntryBlock*> heads_, tails_;  ///< one a tile for each group
   std::vector<Bins> bins_;                  ///< one a group
   std::vector<const GeneralTriangle*> general_;
+  std::vector<const TexturedTriangle*> textured_;
   std::vector<uint8_t> dirty_, shown_;  ///< a tile must be written; a tile showed something in the last frame
 
   struct Buffers {
@@ -86,6 +87,8 @@ class Frame {
     std::array<float, kCells> cell_least{}, cell_greatest{};
     std::array<uint32_t, kCells> cell_owner{};
     GeneralTriangle scratch{};
+    std::vector<uint32_t> kept_colour;
+    std::vector<float> kept_depth;
   };
   std::vector<Buffers> buffers_;  ///< one a worker
 

@@ -1,33 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Set-up of the long path: gradients in double precision, colours in perspective where that can be seen.
-#include "kernels/kernel.h"
+#include "planes.h"
 
 namespace auslan::raster {
-namespace {
-
-// Corner differences and area of a triangle, for its planes.
-struct Slopes {
-  double x1, y1, x2, y2, area;
-};
-
-Plane make_plane(const Slopes& s, float v0, float v1, float v2) {
-  const double d1 = static_cast<double>(v1) - static_cast<double>(v0);
-  const double d2 = static_cast<double>(v2) - static_cast<double>(v0);
-  Plane plane{};
-  plane.origin = v0;
-  plane.per_x = static_cast<float>((d1 * s.y2 - d2 * s.y1) / s.area);
-  plane.per_y = static_cast<float>((d2 * s.x1 - d1 * s.x2) / s.area);
-  const float low = v0 < v1 ? v0 : v1;
-  const float high = v0 < v1 ? v1 : v0;
-  plane.least = v2 < low ? v2 : low;
-  plane.greatest = v2 > high ? v2 : high;
-  return plane;
-}
-
-}  // namespace
-
 Corner corner_of(const ScreenPoint& point, const ScreenValues& values) noexcept {
-  Corner corner{point.x, point.y, values.depth, values.inverse_w, {}};
+  Corner corner{point.x, point.y, values.depth, values.inverse_w, {}, {}};
   for (int channel = 0; channel < 3; ++channel)
     corner.level[channel] = static_cast<float>(values.level[2 - channel]) / kLevelScale;
   return corner;
@@ -39,12 +16,7 @@ void set_up_general(const Corner& a, const Corner& b, const Corner& c, uint32_t 
     out.x[i] = static_cast<int32_t>(corners[i]->x);
     out.y[i] = static_cast<int32_t>(corners[i]->y);
   }
-  Slopes slopes{};
-  slopes.x1 = static_cast<double>(b.x - a.x);
-  slopes.y1 = static_cast<double>(b.y - a.y);
-  slopes.x2 = static_cast<double>(c.x - a.x);
-  slopes.y2 = static_cast<double>(c.y - a.y);
-  slopes.area = slopes.x1 * slopes.y2 - slopes.x2 * slopes.y1;
+  const Slopes slopes = slopes_of(a, b, c);
   out.depth = make_plane(slopes, a.depth, b.depth, c.depth);
   out.colour = colour;
   out.perspective = false;

@@ -20,6 +20,7 @@
 #include "raster/camera.h"
 #include "raster/image.h"
 #include "raster/kernel.h"
+#include "raster/texture.h"
 
 #include <cstdint>
 #include <glm/mat4x4.hpp>
@@ -43,6 +44,7 @@ struct MeshView {
   /// 0: nothing is known. Any other number is the caller's word that, drawn with the same spans and the same number in
   /// two frames that follow each other, the mesh has the same contents in both.
   uint64_t revision = 0;
+  TextureUse texture{};
 };
 
 /// Three directional lights and a hemisphere. A surface shows its colour times the sum of what it receives: of each

@@ -118,6 +118,9 @@ struct EntryBlock {
                                   ///< that are still empty hold kGouraudColour
   EntryBlock* next;
   uint32_t count;
+  /// 0, or so many entries of textured triangles and no others: their `colour` is bin and place, and `count` is
+  /// kCapacity, so that triangles of other kinds go to another block.
+  uint32_t textured;
 };
 
 /// What the triangle stage asks for.
@@ -171,6 +174,8 @@ struct GeneralTriangle {
   int32_t first_column, last_column, first_row, last_row;  ///< clipped to the frame, inclusive
 };
 
+struct TexturedTriangle;  // texture.h
+
 /// Buffers of one worker for the tile in hand: [row][sample][column], kTileStride columns, the pointers at the first
 /// pixel within the margin.
 struct TileBuffers {
@@ -182,6 +187,9 @@ struct TileBuffers {
   /// memory is out of date. 0: the cell is in memory.
   uint32_t* cell_owner;
   GeneralTriangle* scratch;  ///< one
+  /// As `colour` and `depth`; null where no triangle of the frame is masked.
+  uint32_t* kept_colour;
+  float* kept_depth;
 };
 
 struct TileJob {
@@ -192,7 +200,8 @@ struct TileJob {
   size_t list_stride, list_count;
   const ScreenPoint* points;
   const ScreenValues* values;
-  const GeneralTriangle* const* general;  ///< one array a bin
+  const GeneralTriangle* const* general;    ///< one array a bin
+  const TexturedTriangle* const* textured;  ///< one array a bin
   TileBuffers buffers;
   uint32_t* pixels;  ///< of the tile's top-left pixel
   size_t pixel_stride;
@@ -221,6 +230,7 @@ bool odd_world_normal(const Placement& placement, const float normal[3], float o
 struct Corner {
   float x, y, depth, inverse_w;
   float level[3];
+  float coordinate[2];  ///< of a texture
 };
 Corner corner_of(const ScreenPoint& point, const ScreenValues& values) noexcept;
 /// Set-up of the long path in double precision; corners in the order of positive area.

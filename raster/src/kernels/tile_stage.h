@@ -4,6 +4,7 @@
 
 #include "fill_general.h"
 #include "fill_small.h"
+#include "fill_textured.h"
 #include "kernel.h"
 #include "resolve.h"
 #include "set_up.h"
@@ -98,6 +99,10 @@ struct TileStage {
     State state;
     for (size_t list = 0; list < job.list_count; ++list) {
       for (const EntryBlock* block = job.lists[list * job.list_stride]; block != nullptr; block = block->next) {
+        if (block->textured != 0) {
+          FillTextured<L, kSamples>::run(job, *block, state.depth, state.owned);
+          continue;
+        }
         for (size_t first = 0; first < block->count; first += 8)
           fill_eight(job, *block, first, state);
       }

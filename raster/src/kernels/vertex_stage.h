@@ -22,7 +22,11 @@ struct VertexStage {
     I code = colours;
     if (channel == 1) code = L::template shift_right<8>(code);
     if (channel == 2) code = L::template shift_right<16>(code);
-    const F s = L::to_float(code & L::set(int32_t{255})) * L::set(1.0F / 255.0F);
+    return decode(L::to_float(code & L::set(int32_t{255})) * L::set(1.0F / 255.0F));
+  }
+
+  // Linear light of sRGB levels / 255.
+  static F decode(F s) {
     const F power = decode_srgb_power(s, [](float c) { return L::set(c); });
     return L::select(L::greater(s, L::set(kSrgbLinearEnd)), power, s * L::set(1.0F / kSrgbLinearSlope));
   }
