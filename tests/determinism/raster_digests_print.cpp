@@ -9,12 +9,12 @@
 int main() {
   using namespace auslan::raster;
   try {
-    const Scene scene;
+    const TexturedScene scene;
     for (const Kernel kernel : runnable_kernels()) {
       Renderer renderer(1, kernel);
       std::vector<uint32_t> pixels;
       for (const FrameKind& kind : frame_kinds()) {
-        draw_scene(renderer, scene, kind.width, kind.height, kind.samples, kind.shading, pixels);
+        draw_kind(renderer, scene, kind, pixels);
         std::printf("%s %s %s\n", std::string(name_of(kernel)).c_str(), kind.name().c_str(), digest(pixels).c_str());
       }
     }

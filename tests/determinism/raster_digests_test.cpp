@@ -31,12 +31,12 @@ TEST_P(RasterDigests, EveryFrameHasItsCommittedBytes) {
   const std::map<std::string, std::string> list = committed();
   const std::vector<FrameKind> kinds = frame_kinds();
   EXPECT_EQ(list.size(), kinds.size()) << "tests/determinism/raster_digests.txt should name each frame once";
-  const Scene scene;
+  const TexturedScene scene;
   for (const int threads : {1, 3}) {
     Renderer renderer(threads, GetParam());
     for (const FrameKind& kind : kinds) {
       std::vector<uint32_t> pixels;
-      draw_scene(renderer, scene, kind.width, kind.height, kind.samples, kind.shading, pixels);
+      draw_kind(renderer, scene, kind, pixels);
       const auto found = list.find(kind.name());
       EXPECT_TRUE(found != list.end() && found->second == digest(pixels))
           << "the frame changed, or is new. When that is meant, look at it and put this line into "

@@ -80,7 +80,24 @@ struct Draw {
   Camera camera;
   uint8_t mode = 0;
   uint64_t revision = 0;
+  std::vector<glm::vec2> coordinates;
+  uint8_t texture = 0;
+  float cutoff = 0.5F;
+
+  bool textured() const { return texture >= 128; }
 };
+
+// Sizes that are powers of two and others, with all alphas.
+const std::array<Texture, 3>& textures() {
+  const auto make = [](int width, int height) {
+    std::vector<glm::u8vec4> pixels(pixel_count(width, height));
+    for (size_t i = 0; i < pixels.size(); ++i)
+      pixels[i] = glm::u8vec4(i * 53U % 256U, i * 91U % 256U, i * 7U % 256U, i * 37U % 256U);
+    return std::move(*Texture::from_srgb(width, height, pixels));
+  };
+  static const std::array<Texture, 3> kTextures{make(1, 1), make(16, 8), make(13, 5)};
+  return kTextures;
+}
 
 Draw read_draw(Input& in) {
   Draw draw;
@@ -103,6 +120,15 @@ Draw read_draw(Input& in) {
   }
   draw.world = in.matrix();
   draw.mode = in.take<uint8_t>();
+  draw.texture = in.take_last();
+  if (draw.textured()) {
+    draw.coordinates.resize(lengths % 8U == 3 ? count + 1 : count);
+    for (glm::vec2& c : draw.coordinates) {
+      c.x = in.number();
+      c.y = in.number();
+    }
+    draw.cutoff = in.number();
+  }
   return draw;
 }
 
@@ -122,8 +148,16 @@ void draw_frame(Renderer& renderer, const Frame& frame, std::vector<uint32_t>& p
   renderer.set_lighting(frame.lighting);
   for (const Draw& draw : frame.draws) {
     renderer.set_camera(draw.camera);
-    renderer.draw(MeshView{draw.positions, draw.normals, draw.colours, draw.indices, draw.revision}, draw.world,
-                  (draw.mode & 1U) != 0U ? Shading::kFlat : Shading::kGouraud,
+    MeshView mesh{draw.positions, draw.normals, draw.colours, draw.indices, draw.revision};
+    if (draw.textured()) {
+      mesh.texture.texture = &textures()[draw.texture % 3U];
+      mesh.texture.coordinates = draw.coordinates;
+      mesh.texture.wrap_u = static_cast<Wrap>(draw.mode / 4U % 3U);
+      mesh.texture.wrap_v = static_cast<Wrap>(draw.mode / 16U % 3U);
+      mesh.texture.alpha = (draw.mode & 128U) != 0U ? AlphaMode::kMask : AlphaMode::kOpaque;
+      mesh.texture.alpha_cutoff = draw.cutoff;
+    }
+    renderer.draw(mesh, draw.world, (draw.mode & 1U) != 0U ? Shading::kFlat : Shading::kGouraud,
                   (draw.mode & 2U) != 0U ? CullMode::kNone : CullMode::kBack);
   }
   require(renderer.end_frame(pixels, canvas) == Status::kOk);
@@ -153,6 +187,8 @@ void change(Frame& frame, uint8_t how, uint64_t& revision) {
     case 2:
       for (glm::u8vec4& c : draw.colours)
         c.x = static_cast<uint8_t>(~c.x);
+      for (glm::vec2& c : draw.coordinates)
+        c.y = -c.y;
       draw.revision = draw.revision == 0 ? 0 : ++revision;
       break;
     case 3:

@@ -3,7 +3,7 @@
 // program for another processor can print them.
 #pragma once
 
-#include "raster_scene.h"
+#include "raster_textured.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -28,10 +28,11 @@ inline std::string digest(const std::vector<uint32_t>& pixels) {
 struct FrameKind {
   int width, height, samples;
   Shading shading;
+  bool textured = false;
 
   std::string name() const {
     return std::to_string(width) + 'x' + std::to_string(height) + '_' + std::to_string(samples) +
-           (shading == Shading::kFlat ? "_flat" : "_gouraud");
+           (shading == Shading::kFlat ? "_flat" : "_gouraud") + (textured ? "_textured" : "");
   }
 };
 
@@ -47,7 +48,19 @@ inline std::vector<FrameKind> frame_kinds() {
   kinds.push_back({17, 1031, 8, Shading::kFlat});
   kinds.push_back({16384, 3, 1, Shading::kGouraud});
   kinds.push_back({1, 1, 8, Shading::kGouraud});
+  for (const int samples : {1, 2, 4, 8})
+    kinds.push_back({320, 180, samples, Shading::kGouraud, true});
+  kinds.push_back({333, 217, 4, Shading::kFlat, true});
+  kinds.push_back({1280, 720, 1, Shading::kGouraud, true});
   return kinds;
+}
+
+inline void draw_kind(Renderer& renderer, const TexturedScene& scene, const FrameKind& kind,
+                      std::vector<uint32_t>& pixels) {
+  draw_list(renderer,
+            kind.textured ? scene.draws(kind.width, kind.height, kind.shading)
+                          : scene_draws(scene.bare, kind.width, kind.height, kind.shading),
+            {kind.width, kind.height, kind.samples}, pixels);
 }
 
 }  // namespace auslan::raster

@@ -2,6 +2,7 @@
 // A warm renderer allocates nothing: every operator new of this program is counted.
 #include "raster_scene.h"
 #include "raster_screen.h"
+#include "raster_textured.h"
 
 #include <atomic>
 #include <cstdlib>
@@ -58,6 +59,24 @@ TEST_P(Allocation, NothingAfterTheFirstFrame) {
     const long cold = allocations;
     draw_list(renderer, large, kLarge, pixels);
     EXPECT_GT(allocations - cold, 0L) << "the count should see the first frame allocate";
+    draw_list(renderer, small, kSmall, pixels);
+    const long warm = allocations;
+    for (int frame = 0; frame < 20; ++frame) {
+      draw_list(renderer, large, kLarge, pixels);
+      draw_list(renderer, small, kSmall, pixels);
+    }
+    EXPECT_EQ(allocations - warm, 0L) << threads << " threads";
+  }
+}
+
+TEST_P(Allocation, NothingForTexturesAndMasks) {
+  const TexturedScene scene;
+  const std::vector<SceneDraw> large = scene.draws(kLarge.width, kLarge.height, Shading::kGouraud);
+  const std::vector<SceneDraw> small = scene.draws(kSmall.width, kSmall.height, Shading::kFlat);
+  for (const int threads : {1, 3}) {
+    Renderer renderer(threads, GetParam());
+    std::vector<uint32_t> pixels(pixel_count(kLarge.width, kLarge.height));
+    draw_list(renderer, large, kLarge, pixels);
     draw_list(renderer, small, kSmall, pixels);
     const long warm = allocations;
     for (int frame = 0; frame < 20; ++frame) {

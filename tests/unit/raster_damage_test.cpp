@@ -2,6 +2,7 @@
 // Canvas::kLastFrame: only what changed is written, and the picture is that of a full redraw, byte for byte.
 #include "raster_scene.h"
 #include "raster_screen.h"
+#include "raster_textured.h"
 
 #include <deque>
 #include <tuple>
@@ -303,6 +304,59 @@ TEST_P(Damage, ASmallThingThatMovesDamagesASmallPartOfTheFrame) {
     for (const PixelRect& rect : kept.renderer.damage())
       EXPECT_TRUE(rect.x < 256 && rect.y < 256) << "the ball that stands still is not drawn again";
   }
+}
+
+// Each way in which a draw can come to wear something else; all meshes keep their revision.
+TEST_P(Damage, AnotherTextureIsDrawnAndTheSameOneIsNot) {
+  const SceneMesh box = make_box(4, false);
+  const std::vector<glm::vec2> once = box_coordinates(4, 1.0F);
+  const std::vector<glm::vec2> twice = box_coordinates(4, 2.0F);
+  Texture one = random_picture(16, 16, 8500).texture();
+  const Texture other = random_picture(16, 16, 8501).texture();
+  const FrameSize size{150, 130, 4, 0};
+  SceneDraw draw{box.view(),
+                 scene_place(0.4F, 0.4F, 0.4F, 0.0F, 0.0F, 0.0F),
+                 Shading::kGouraud,
+                 CullMode::kNone,
+                 scene_camera(150, 130),
+                 scene_lighting()};
+  draw.mesh.revision = 1;
+  Tracked kept = tracked();
+  Renderer full(1, std::get<0>(GetParam()));
+  std::vector<uint32_t> wanted;
+  std::vector<uint32_t> last;
+  const auto next_frame = [&](bool changed, const char* what) {
+    last = wanted;
+    draw_list(full, std::span(&draw, 1), size, wanted);
+    EXPECT_EQ(wanted != last, changed) << what;
+    kept.frame(std::span(&draw, 1), size, wanted);
+    EXPECT_EQ(kept.renderer.damage().empty(), !changed) << what;
+  };
+  next_frame(true, "the first frame");
+  TextureUse& use = draw.mesh.texture;
+  use = {&one, once};
+  next_frame(true, "a texture comes");
+  next_frame(false, "nothing");
+  use.texture = &other;
+  next_frame(true, "another texture");
+  use.texture = &one;
+  next_frame(true, "the first texture");
+  one = random_picture(16, 16, 8502).texture();
+  next_frame(true, "another texture in the place of the first");
+  use.coordinates = twice;
+  next_frame(true, "other coordinates");
+  use.wrap_u = Wrap::kClamp;
+  next_frame(true, "another wrap along u");
+  use.wrap_v = Wrap::kMirroredRepeat;
+  next_frame(true, "another wrap along v");
+  use.alpha = AlphaMode::kMask;
+  next_frame(true, "a mask");
+  use.alpha_cutoff = 0.7F;
+  next_frame(true, "another cut-off");
+  next_frame(false, "nothing again");
+  use = {};
+  next_frame(true, "the texture goes");
+  next_frame(false, "still none");
 }
 
 TEST_P(Damage, AnEmptyFrameAfterAFullOneIsClearedWhereItWasDrawn) {
