@@ -169,30 +169,28 @@ bool Bins::add_general(Sorting& sorting, const Corner& a, const Corner& b, const
       first_row >= sorting.viewport.height || last_column < 0 || last_row < 0) {
     return false;
   }
-  const size_t place = sorting.textured() ? textured_.size() : general_.size();
+  const size_t place = general_.size();
   if (place >= (size_t{1} << kBinShift) - 1U) return false;  // Frame makes no group as large
   const bool in_order = doubled_area(a, b, c) > 0;
   const Corner corners[3] = {a, in_order ? b : c, in_order ? c : b};
-  uint32_t word = number_ << kBinShift | static_cast<uint32_t>(place);
-  if (!sorting.textured()) {
-    word |= kGeneralTriangle;
-    general_.emplace_back();
-    set_up_general(corners[0], corners[1], corners[2], colour, general_.back());
+  general_.emplace_back();
+  GeneralTriangle& t = general_.back();
+  if (sorting.textured()) {
+    add_textured(sorting.draw, corners, colour, small, t);
   } else {
-    add_textured(sorting.draw, corners, colour, small != nullptr);
+    set_up_general(corners[0], corners[1], corners[2], colour, t);
   }
-  GeneralTriangle& t = sorting.textured() ? textured_.back().shape : general_.back();
   t.first_column = std::max(first_column, 0);
   t.last_column = std::min(last_column, sorting.viewport.width - 1);
   t.first_row = std::max(first_row, 0);
   t.last_row = std::min(last_row, sorting.viewport.height - 1);
-  static constexpr uint32_t kNone[3] = {0, 0, 0};
-  append(sorting, small != nullptr ? small->corner : kNone, word, tile_range(t.first_column, t.last_column, kTileWidth),
-         tile_range(t.first_row, t.last_row, kTileHeight));
+  append(sorting, {0, 0, 0}, kGeneralTriangle | number_ << kBinShift | static_cast<uint32_t>(place),
+         tile_range(t.first_column, t.last_column, kTileWidth), tile_range(t.first_row, t.last_row, kTileHeight));
   return true;
 }
 
-void Bins::add_textured(const RecordedDraw& draw, const Corner (&corners)[3], uint32_t colour, bool small) {
+void Bins::add_textured(const RecordedDraw& draw, const Corner (&corners)[3], uint32_t colour, const Survivor* small,
+                        GeneralTriangle& shape) {
   Corner lit[3] = {corners[0], corners[1], corners[2]};
   if (colour != kGouraudColour) {
     for (Corner& corner : lit) {
@@ -201,11 +199,15 @@ void Bins::add_textured(const RecordedDraw& draw, const Corner (&corners)[3], ui
       corner.level[2] = static_cast<float>(blue_of(colour));
     }
   }
+  const size_t place = textured_.size();
   textured_.emplace_back();
   TexturedTriangle& t = textured_.back();
-  set_up_textured(lit[0], lit[1], lit[2], t);
+  set_up_textured(lit[0], lit[1], lit[2], shape, t);
+  shape.texture = static_cast<uint32_t>(place);
   dress(draw.mesh.texture, t);
-  t.small = small;
+  t.small = small != nullptr;
+  for (size_t i = 0; i < 3 && small != nullptr; ++i)
+    t.corner[i] = small->corner[i];
 }
 
 // A triangle with a corner that has no place on the screen: cut at the near, far and guard planes, drawn as a fan.
@@ -288,17 +290,8 @@ void Bins::append(Sorting& sorting, const uint32_t (&corner)[3], uint32_t colour
 
 void Bins::append_to(Sorting& sorting, size_t tile, const uint32_t (&corner)[3], uint32_t colour) {
   EntryBlock* tail = sorting.lists.tail[tile];
-  uint32_t i = 0;
-  if (sorting.textured()) {
-    if (tail == nullptr || tail->textured == 0 || tail->textured == EntryBlock::kCapacity) {
-      tail = extend(sorting.lists, tile);
-      tail->count = EntryBlock::kCapacity;
-    }
-    i = tail->textured++;
-  } else {
-    if (tail == nullptr || tail->count == EntryBlock::kCapacity) tail = extend(sorting.lists, tile);
-    i = tail->count++;
-  }
+  if (tail == nullptr || tail->count == EntryBlock::kCapacity) tail = extend(sorting.lists, tile);
+  const uint32_t i = tail->count++;
   for (size_t c = 0; c < 3; ++c)
     tail->corner[c][i] = corner[c];
   tail->colour[i] = colour;

@@ -95,7 +95,8 @@ class Bins {
   static void set_coordinates(const Sorting& sorting, const Survivor& survivor, Corner (&corner)[3]);
   bool add_general(Sorting& sorting, const Corner& a, const Corner& b, const Corner& c, uint32_t colour,
                    const Survivor* small = nullptr);
-  void add_textured(const RecordedDraw& draw, const Corner (&corners)[3], uint32_t colour, bool small);
+  void add_textured(const RecordedDraw& draw, const Corner (&corners)[3], uint32_t colour, const Survivor* small,
+                    GeneralTriangle& shape);
   void append(Sorting& sorting, const uint32_t (&corner)[3], uint32_t colour, uint32_t tile_columns,
               uint32_t tile_rows);
   void append_to(Sorting& sorting, size_t tile, const uint32_t (&corner)[3], uint32_t colour);

@@ -55,9 +55,9 @@ void dress(const TextureUse& use, TexturedTriangle& triangle) noexcept {
   triangle.cutoff = static_cast<int32_t>(cutoff * static_cast<float>(kTexelScale) + 0.5F) << kFilterBits;
 }
 
-void set_up_textured(const Corner& a, const Corner& b, const Corner& c, TexturedTriangle& out) noexcept {
-  GeneralTriangle& t = out.shape;
-  set_up_general(a, b, c, kScratchTriangle, t);
+void set_up_textured(const Corner& a, const Corner& b, const Corner& c, GeneralTriangle& t,
+                     TexturedTriangle& out) noexcept {
+  set_up_general(a, b, c, kStandInColour, t);
   t.perspective = true;
   const Slopes slopes = slopes_of(a, b, c);
   // 1/w relative to the nearest corner, so that nothing overflows.

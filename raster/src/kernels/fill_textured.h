@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangles with a texture in one tile. Each is filled as if it had one colour, kScratchTriangle, by the path that it
+// Triangles with a texture in one tile. Each is filled as if it had one colour, kStandInColour, by the path that it
 // would take without a texture, so that coverage and depth are the same; then that colour is replaced where it shows.
 // What the filter does is defined in raster/texture.h.
 #pragma once
@@ -11,6 +11,11 @@
 #include "vertex_stage.h"
 
 namespace auslan::raster {
+
+/// The same lanes under another name: with a second caller the short path would no longer be inlined where all other
+/// triangles take it.
+template <class L>
+struct LanesApart : L {};
 
 template <class L, size_t kSamples>
 struct FillTextured {
@@ -105,10 +110,10 @@ struct FillTextured {
     float dy;
     F inverse, u, v;  ///< `inverse` of 1/w
 
-    Pixels(const TexturedTriangle& t, int32_t column, int32_t row)
-        : dx(FillGeneral<L, kSamples>::eight_from(column, t.shape.x[0])),
-          dy(FillGeneral<L, kSamples>::centre_from(row, t.shape.y[0])) {
-      const Plane& w = t.shape.inverse_w;
+    Pixels(const GeneralTriangle& shape, const TexturedTriangle& t, int32_t column, int32_t row)
+        : dx(FillGeneral<L, kSamples>::eight_from(column, shape.x[0])),
+          dy(FillGeneral<L, kSamples>::centre_from(row, shape.y[0])) {
+      const Plane& w = shape.inverse_w;
       // The bound holds where 1/w is no normal number or 0.
       inverse = L::min(L::set(1.0F) / held(at(w), w.least, w.greatest), L::set(1e18F));
       u = divided(t.coordinate[0], t.least[0], t.greatest[0]);
@@ -121,9 +126,8 @@ struct FillTextured {
   };
 
   // The level of detail, with kFilterBits fraction bits.
-  static I level_of(const TexturedTriangle& t, const Pixels& pixels) {
+  static I level_of(const Plane& w, const TexturedTriangle& t, const Pixels& pixels) {
     const TextureLevel& whole_picture = t.texture.level[0];
-    const Plane& w = t.shape.inverse_w;
     const auto derivative = [&](float of_coordinate, F coordinate, float of_w, float size) {
       return ((L::set(of_coordinate) - coordinate * L::set(of_w)) * pixels.inverse) *
              L::set(size * static_cast<float>(kSubPixels));
@@ -143,9 +147,9 @@ struct FillTextured {
   }
 
   /// Eight pixels, 0x00RRGGBB; `drawn`: a mask of those that the cut-off leaves.
-  static I shade(const TexturedTriangle& t, int32_t column, int32_t row, I& drawn) {
-    const Pixels pixels(t, column, row);
-    const I level = level_of(t, pixels);
+  static I shade(const GeneralTriangle& shape, const TexturedTriangle& t, int32_t column, int32_t row, I& drawn) {
+    const Pixels pixels(shape, t, column, row);
+    const I level = level_of(shape.inverse_w, t, pixels);
     const I fine = L::template shift_right<kFilterBits>(level);
     const I fraction = level & L::set(kOne - 1);
     I texel[4];
@@ -159,7 +163,7 @@ struct FillTextured {
     drawn = L::greater(texel[3], L::set(t.cutoff - 1));
     I channel[3];
     for (size_t c = 0; c < 3; ++c) {
-      const F level_here = pixels.divided(t.shape.level[c], t.shape.least[c], t.shape.greatest[c]);
+      const F level_here = pixels.divided(shape.level[c], shape.least[c], shape.greatest[c]);
       const F light = VertexStage<L>::decode(level_here * L::set(1.0F / 255.0F));
       const F surface = L::to_float(texel[c]) * L::set(1.0F / static_cast<float>(kTexelScale * kOne));
       channel[c] = L::truncate(VertexStage<L>::encode(light * surface) + L::set(0.5F));
@@ -185,9 +189,10 @@ struct FillTextured {
   }
 
   // Colours in the place of the one that stands for them.
-  static void colour(const TileJob& job, const TexturedTriangle& t, const Region& region) {
+  static void colour(const TileJob& job, const GeneralTriangle& shape, const TexturedTriangle& t,
+                     const Region& region) {
     const TileBuffers& buffers = job.buffers;
-    const I stand_in = L::set(static_cast<int32_t>(kScratchTriangle));
+    const I stand_in = L::set(static_cast<int32_t>(kStandInColour));
     for (int32_t row = region.first_row; row <= region.last_row; ++row) {
       for (int32_t column = region.first_column; column <= region.last_column; column += 8) {
         I pixels{};
@@ -198,7 +203,7 @@ struct FillTextured {
           const I old = L::load(buffers.colour + here);
           const I mine = L::equal(old, stand_in);
           if (L::signs(mine) == 0U) continue;
-          if (!shaded) pixels = shade(t, job.x + column, job.y + row, drawn);
+          if (!shaded) pixels = shade(shape, t, job.x + column, job.y + row, drawn);
           shaded = true;
           L::store(buffers.colour + here, L::select(mine, pixels, old));
           if (t.cutoff == 0) continue;
@@ -222,46 +227,42 @@ struct FillTextured {
     return r;
   }
 
-  static void fill(const TileJob& job, const TexturedTriangle& t, const SmallGroup<kSamples>& group, size_t k,
-                   bool short_path, float& tile_depth) {
-    const Region region = region_of(job, t.shape);
-    if (t.cutoff > 0) keep(job.buffers, region);
-    if (short_path) {
-      FillSmall<L, kSamples>::run(job.buffers, group, k, kScratchTriangle);
-      return colour(job, t, region);
-    }
-    // Depths that a masked triangle gives back may lie below what its cells are promised to hold.
-    float least[kCells];
-    copy_cells(job.buffers.cell_least, least);
-    float depth_of_tile = tile_depth;
-    FillGeneral<L, kSamples>::run(job, t.shape, kScratchTriangle, depth_of_tile);
-    colour(job, t, region);
-    if (t.cutoff > 0) return copy_cells(least, job.buffers.cell_least);
-    tile_depth = depth_of_tile;
+  // Fills by the short path; false where it must be the long one.
+  static bool fill_small(const TileJob& job, const TexturedTriangle& t) {
+    if (!t.small) return false;
+    EntryBlock block{};
+    for (size_t c = 0; c < 3; ++c)
+      block.corner[c][0] = t.corner[c];
+    SmallGroup<kSamples> group;
+    if ((SetUp<LanesApart<L>, kSamples>::run(job, block, 0, group) & 1U) != 0U) return false;
+    FillSmall<LanesApart<L>, kSamples>::run(job.buffers, group, 0, kStandInColour);
+    return true;
   }
+
   static void copy_cells(const float* from, float* to) {
     for (size_t i = 0; i < kCells; i += 8)
       L::store(to + i, L::load(from + i));
   }
 
-  /// A block of textured triangles. `tile_depth`: a lower bound of the tile's depth, kept up; `owned`: whether cells
-  /// may have owners.
-  [[gnu::noinline]] static void run(const TileJob& job, const EntryBlock& block, float& tile_depth, bool& owned) {
+  /// `tile_depth`: a lower bound of the tile's depth, kept up; `owned`: whether cells may have owners.
+  [[gnu::noinline]] static void run(const TileJob& job, const GeneralTriangle& shape, const TexturedTriangle& t,
+                                    float& tile_depth, bool& owned) {
     // As before small triangles; what is kept must be up to date too.
     if (owned) FillGeneral<L, kSamples>::release_all(job);
     owned = false;
     for (size_t i = 0; i < kCells; i += 8)
       L::store(job.buffers.cell_greatest + i, L::set(2.0F));
-    for (size_t first = 0; first < block.textured; first += 8) {
-      const size_t count = block.textured - first < 8 ? block.textured - first : 8;
-      SmallGroup<kSamples> group;
-      const uint32_t with_care = SetUp<L, kSamples>::run(job, block, first, group);
-      for (size_t i = 0; i < count; ++i) {
-        const uint32_t word = block.colour[first + i];
-        const TexturedTriangle& t = job.textured[word >> kBinShift][word & ((1U << kBinShift) - 1U)];
-        fill(job, t, group, i, t.small && (with_care >> i & 1U) == 0U, tile_depth);
-      }
-    }
+    const Region region = region_of(job, shape);
+    if (t.cutoff > 0) keep(job.buffers, region);
+    if (fill_small(job, t)) return colour(job, shape, t, region);
+    // Depths that a masked triangle gives back may lie below what its cells are promised to hold.
+    float least[kCells];
+    copy_cells(job.buffers.cell_least, least);
+    float depth_of_tile = tile_depth;
+    FillGeneral<L, kSamples>::run(job, shape, kScratchTriangle, depth_of_tile);
+    colour(job, shape, t, region);
+    if (t.cutoff > 0) return copy_cells(least, job.buffers.cell_least);
+    tile_depth = depth_of_tile;
   }
 };
 

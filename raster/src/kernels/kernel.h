@@ -110,6 +110,9 @@ inline constexpr uint32_t kGeneralTriangle = 0x80000000U;
 inline constexpr uint32_t kBinShift = 22;                  ///< below it the place in the bin's list
 inline constexpr uint32_t kScratchTriangle = 0xFFFFFFFFU;  ///< the tile's own
 
+/// No colour of a triangle, and no promise: what a textured triangle is filled with before it gets its colours.
+inline constexpr uint32_t kStandInColour = 0x01000000U;
+
 /// A tile's triangles, in drawing order.
 struct EntryBlock {
   static constexpr uint32_t kCapacity = 16;
@@ -118,9 +121,6 @@ struct EntryBlock {
                                   ///< that are still empty hold kGouraudColour
   EntryBlock* next;
   uint32_t count;
-  /// 0, or so many entries of textured triangles and no others: their `colour` is bin and place, and `count` is
-  /// kCapacity, so that triangles of other kinds go to another block.
-  uint32_t textured;
 };
 
 /// What the triangle stage asks for.
@@ -171,6 +171,7 @@ struct GeneralTriangle {
   float least[3], greatest[3];
   uint32_t colour;  ///< flat colour, or kGouraudColour
   bool perspective;
+  uint32_t texture;  ///< with kStandInColour: its place in the bin's textured triangles
   int32_t first_column, last_column, first_row, last_row;  ///< clipped to the frame, inclusive
 };
 

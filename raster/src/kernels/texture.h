@@ -24,23 +24,26 @@ struct TextureLevels {
   int32_t count;
 };
 
-/// A triangle with a texture: filled as any other with a colour that stands for it, then that is replaced.
+/// What a general triangle has beside its shape when its colour is kStandInColour. The levels of the shape are of the
+/// light then, always divided by inverse_w.
 struct TexturedTriangle {
-  /// Its colour is kScratchTriangle. Levels are of the light, always divided by inverse_w.
-  GeneralTriangle shape;
-  Plane coordinate[2];  ///< u, v times shape.inverse_w
+  Plane coordinate[2];  ///< u, v times inverse_w
   float least[2], greatest[2];
   TextureLevels texture;
   bool repeats[2], mirrors[2];  ///< neither: clamped
   /// Filtered alpha, kTexelScale << kFilterBits at most, below which a pixel is not drawn.
   int32_t cutoff;
-  bool small;  ///< takes the short path where no sliver or perspective of its colours forbids it
+  /// It takes the short path where no sliver or perspective of its colours forbids it, and these are its screen
+  /// vertices in the order of positive area.
+  bool small;
+  uint32_t corner[3];
 };
 /// Coordinates lie at most this far from the first corner's period.
 inline constexpr float kFarthestCoordinate = 1048576.0F;
 
 /// Set-up in double precision (as set_up_general); corners in the order of positive area. Leaves the texture to the
 /// caller.
-void set_up_textured(const Corner& a, const Corner& b, const Corner& c, TexturedTriangle& out) noexcept;
+void set_up_textured(const Corner& a, const Corner& b, const Corner& c, GeneralTriangle& shape,
+                     TexturedTriangle& out) noexcept;
 
 }  // namespace auslan::raster

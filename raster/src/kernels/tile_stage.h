@@ -73,6 +73,11 @@ struct TileStage {
 
   [[gnu::noinline]] static void fill_large(const TileJob& job, uint32_t word, State& state) {
     const GeneralTriangle& t = Resolve<L, kSamples>::promised(job, word);
+    if (t.colour == kStandInColour) {
+      FillTextured<L, kSamples>::run(job, t, job.textured[(word & ~kGeneralTriangle) >> kBinShift][t.texture],
+                                     state.depth, state.owned);
+      return;
+    }
     FillGeneral<L, kSamples>::run(job, t, word, state.depth);
     state.promised = true;
     state.owned = true;
@@ -99,10 +104,6 @@ struct TileStage {
     State state;
     for (size_t list = 0; list < job.list_count; ++list) {
       for (const EntryBlock* block = job.lists[list * job.list_stride]; block != nullptr; block = block->next) {
-        if (block->textured != 0) {
-          FillTextured<L, kSamples>::run(job, *block, state.depth, state.owned);
-          continue;
-        }
         for (size_t first = 0; first < block->count; first += 8)
           fill_eight(job, *block, first, state);
       }
