@@ -44,7 +44,7 @@ struct MeshView {
   /// 0: nothing is known. Any other number is the caller's word that, drawn with the same spans and the same number in
   /// two frames that follow each other, the mesh has the same contents in both.
   uint64_t revision = 0;
-  TextureUse texture{};
+  TextureUse texture{};  ///< a picture that it wears (texture.h)
 };
 
 /// Three directional lights and a hemisphere. A surface shows its colour times the sum of what it receives: of each
@@ -128,7 +128,8 @@ class Renderer {
 
   /// Adds a mesh, placed by an affine `world_from_mesh` (its bottom row is ignored). A placement that mirrors (negative
   /// determinant) keeps outside outside.
-  /// Any input is safe: the whole draw is rejected when array lengths disagree, a matrix is not finite, or the frame
+  /// Any input is safe: the whole draw is rejected when array lengths disagree, a matrix or an alpha cut-off is not
+  /// finite, or the frame
   /// would come to more than 2^27 triangles or 2^30 vertices; a triangle is
   /// rejected whole when one of its indices is out of range or one of its vertices not finite; one or two indices left
   /// over at the end count as one rejected triangle. Outside a frame it does nothing.
