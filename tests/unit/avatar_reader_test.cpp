@@ -6,6 +6,7 @@
 #include "tiny_avatar.h"
 
 #include <algorithm>
+#include <climits>
 #include <gtest/gtest.h>
 #include <string>
 #include <tuple>
@@ -234,6 +235,45 @@ TEST(AvatarReader, BindsAndImagesThatLeadNowhereOnlyWarn) {
   EXPECT_TRUE(avatar.expressions.at(0).binds.empty());
   EXPECT_TRUE(warns(avatar, "aa"));
   EXPECT_TRUE(warns(avatar, "skin"));
+}
+
+TEST(AvatarReader, ImagesWrapAsTheirSamplersSay) {
+  GlbDocument document = tiny_avatar();
+  const auto surface = [&document] { return read(document).meshes.at(0).surfaces.at(0); };
+  EXPECT_EQ(surface().wrap_u, AvatarWrap::kRepeat) << "glTF's default";
+  EXPECT_EQ(surface().wrap_v, AvatarWrap::kRepeat);
+  document.json["textures"][0]["sampler"] = 0;
+  document.json["samplers"] = {{{"wrapS", 33071}, {"wrapT", 33648}}};
+  EXPECT_EQ(surface().wrap_u, AvatarWrap::kClamp);
+  EXPECT_EQ(surface().wrap_v, AvatarWrap::kMirroredRepeat);
+  document.json["samplers"] = {{{"wrapS", 10497}}};
+  EXPECT_EQ(surface().wrap_u, AvatarWrap::kRepeat);
+  EXPECT_EQ(surface().wrap_v, AvatarWrap::kRepeat);
+  for (const int bad : {0, -1, 33070, INT_MAX}) {
+    document.json["samplers"] = {{{"wrapT", bad}}};
+    const auto refused = parse_avatar_text(document.pack());
+    ASSERT_FALSE(refused) << bad;
+    EXPECT_EQ(refused.error().code, ErrorCode::kMalformed);
+  }
+}
+
+TEST(AvatarReader, MasksHaveACutOff) {
+  GlbDocument document = tiny_avatar();
+  const auto cutoff = [&document] { return read(document).meshes.at(0).surfaces.at(0).alpha_cutoff; };
+  auto& material = document.json["materials"][0];
+  EXPECT_EQ(cutoff(), std::nullopt);
+  material["alphaCutoff"] = 0.25;
+  EXPECT_EQ(cutoff(), std::nullopt) << "only masks have one";
+  material["alphaMode"] = "MASK";
+  EXPECT_EQ(cutoff(), 0.25F);
+  material.erase("alphaCutoff");
+  EXPECT_EQ(cutoff(), 0.5F) << "glTF's default";
+  material["alphaCutoff"] = 1e300;
+  EXPECT_GT(cutoff().value(), 1.0F);
+  material["alphaCutoff"] = -3.0;
+  EXPECT_EQ(cutoff(), 0.0F);
+  material["alphaMode"] = "BLEND";
+  EXPECT_EQ(cutoff(), std::nullopt);
 }
 
 TEST(AvatarReader, KnownExtensionsMayBeRequired) {

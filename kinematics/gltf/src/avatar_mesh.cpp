@@ -213,6 +213,23 @@ Result<std::vector<uint32_t>> read_triangles(const tinygltf::Primitive& primitiv
   return triangles;
 }
 
+/// False where glTF (2.0, 5.26) has no such number.
+bool read_wrap(int number, AvatarWrap& wrap) {
+  switch (number) {
+    case TINYGLTF_TEXTURE_WRAP_REPEAT:
+      wrap = AvatarWrap::kRepeat;
+      return true;
+    case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE:
+      wrap = AvatarWrap::kClamp;
+      return true;
+    case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT:
+      wrap = AvatarWrap::kMirroredRepeat;
+      return true;
+    default:
+      return false;
+  }
+}
+
 /// What of a material is kept. `set` receives which texture coordinates the image takes.
 Result<void> read_material(const tinygltf::Model& model, const tinygltf::Primitive& primitive, const std::string& place,
                            AvatarSurface& surface, int& set, Warnings& warnings) {
@@ -224,7 +241,9 @@ Result<void> read_material(const tinygltf::Model& model, const tinygltf::Primiti
   surface.is_double_sided = material.doubleSided;
   surface.is_transparent = material.alphaMode == "BLEND";
   if (surface.is_transparent) warnings.add("some surfaces let light through; they are drawn opaque");
-  if (material.alphaMode == "MASK") warnings.add("some surfaces are cut out by their image; they are drawn whole");
+  if (material.alphaMode == "MASK")
+    surface.alpha_cutoff = static_cast<float>(std::clamp(material.alphaCutoff, 0.0, 2.0));
+  if (surface.alpha_cutoff) warnings.add("some surfaces are cut out by their image; they are drawn whole");
   if (material.extensions.contains("VRMC_materials_mtoon"))
     warnings.add("surfaces are shaded as toons (MToon); they are drawn plain");
   if (material.normalTexture.index >= 0) warnings.add("images that shape surfaces (normal maps) are not used");
@@ -235,7 +254,8 @@ Result<void> read_material(const tinygltf::Model& model, const tinygltf::Primiti
   if (base.baseColorTexture.index < 0) return {};
   if (static_cast<size_t>(base.baseColorTexture.index) >= model.textures.size())
     return malformed("the texture of the material does not exist", place);
-  const int image = model.textures[static_cast<size_t>(base.baseColorTexture.index)].source;
+  const tinygltf::Texture& texture = model.textures[static_cast<size_t>(base.baseColorTexture.index)];
+  const int image = texture.source;
   if (image < 0) {
     warnings.add("some images are neither PNG nor JPEG; their surfaces keep the base colour alone");
     return {};
@@ -246,6 +266,13 @@ Result<void> read_material(const tinygltf::Model& model, const tinygltf::Primiti
     return malformed("the texture takes coordinates that cannot exist", place);
   set = base.baseColorTexture.texCoord;
   surface.image = image;
+  if (texture.sampler >= 0) {
+    if (static_cast<size_t>(texture.sampler) >= model.samplers.size())
+      return malformed("the sampler of the texture does not exist", place);
+    const tinygltf::Sampler& sampler = model.samplers[static_cast<size_t>(texture.sampler)];
+    if (!read_wrap(sampler.wrapS, surface.wrap_u) || !read_wrap(sampler.wrapT, surface.wrap_v))
+      return malformed("the sampler of the texture wraps in a way that glTF does not have", place);
+  }
   const auto transform = base.baseColorTexture.extensions.find("KHR_texture_transform");
   if (transform != base.baseColorTexture.extensions.end() && transform->second.IsObject()) {
     const auto is_all = [&](const char* key, double usual) {

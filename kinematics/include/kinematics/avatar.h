@@ -14,6 +14,7 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,9 @@ struct AvatarVertices {
   std::vector<AvatarMorph> morphs = {};  ///< in the order of the mesh's morph names; there may be fewer
 };
 
+/// What of an image is shown beyond its edges.
+enum class AvatarWrap : uint8_t { kRepeat, kMirroredRepeat, kClamp };
+
 /// Triangles of one material.
 struct AvatarSurface {
   std::string material;
@@ -56,8 +60,11 @@ struct AvatarSurface {
   std::vector<uint32_t> indices;  ///< three a triangle, counter-clockwise from outside
   glm::vec4 base_colour{1.0F};    ///< linear light, times the image and the vertex colours
   int image = -1;                 ///< of the base colour, or -1
+  AvatarWrap wrap_u = AvatarWrap::kRepeat, wrap_v = AvatarWrap::kRepeat;  ///< of the image
   bool is_double_sided = false;
   bool is_transparent = false;
+  /// Not negative: the surface is cut out where alpha, of base colour and image, is below it. Above 1: everywhere.
+  std::optional<float> alpha_cutoff = {};
 };
 
 struct AvatarMesh {
