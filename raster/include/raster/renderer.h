@@ -129,10 +129,9 @@ class Renderer {
   /// Adds a mesh, placed by an affine `world_from_mesh` (its bottom row is ignored). A placement that mirrors (negative
   /// determinant) keeps outside outside.
   /// Any input is safe: the whole draw is rejected when array lengths disagree, a matrix or an alpha cut-off is not
-  /// finite, or the frame
-  /// would come to more than 2^27 triangles or 2^30 vertices; a triangle is
-  /// rejected whole when one of its indices is out of range or one of its vertices not finite; one or two indices left
-  /// over at the end count as one rejected triangle. Outside a frame it does nothing.
+  /// finite, or the frame would come to more than 2^27 triangles or 2^30 vertices; a triangle is rejected whole when
+  /// one of its indices is out of range or one of its vertices not finite, texture coordinates included; one or two
+  /// indices left over at the end count as one rejected triangle. Outside a frame it does nothing.
   void draw(const MeshView& mesh, const glm::mat4& world_from_mesh, Shading shading, CullMode cull = CullMode::kBack);
 
   /// Draws the triangles in the order of their draws into `pixels` (width * height long). The frame is over then; after
