@@ -64,13 +64,24 @@ AvatarPoser::AvatarPoser(const Avatar& avatar) : avatar_(avatar), world_from_nod
 }
 
 void AvatarPoser::pose(const AvatarPose& pose) {
-  assert(pose.morph_weights.size() == avatar_.meshes.size());
   place_nodes(avatar_, pose, world_from_node_);
+  pose_parts(pose.morph_weights);
+}
+
+void AvatarPoser::place(std::span<const glm::dmat4> world_from_node,
+                        std::span<const std::vector<float>> morph_weights) {
+  assert(world_from_node.size() == avatar_.nodes.size());
+  std::ranges::copy(world_from_node, world_from_node_.begin());
+  pose_parts(morph_weights);
+}
+
+void AvatarPoser::pose_parts(std::span<const std::vector<float>> morph_weights) {
+  assert(morph_weights.size() == avatar_.meshes.size());
   int node = kNoNode;
   for (Part& part : parts_) {
     if (part.node != node) place_joints(avatar_.nodes[static_cast<size_t>(part.node)].skin);
     node = part.node;
-    pose_part(pose, part);
+    pose_part(morph_weights, part);
   }
 }
 
@@ -81,13 +92,13 @@ void AvatarPoser::place_joints(int skin_of_node) {
     world_from_mesh_[j] = world_from_node_[static_cast<size_t>(skin.joints[j])] * skin.joint_from_mesh[j];
 }
 
-void AvatarPoser::pose_part(const AvatarPose& pose, Part& part) {
+void AvatarPoser::pose_part(std::span<const std::vector<float>> morph_weights, Part& part) {
   const AvatarNode& node = avatar_.nodes[static_cast<size_t>(part.node)];
   const AvatarVertices& vertices =
       avatar_.meshes[static_cast<size_t>(part.mesh)].vertices[static_cast<size_t>(part.vertices)];
   std::ranges::copy(vertices.positions, part.positions.begin());
   std::ranges::copy(vertices.normals, part.normals.begin());
-  const std::vector<float>& weights = pose.morph_weights[static_cast<size_t>(part.mesh)];
+  const std::vector<float>& weights = morph_weights[static_cast<size_t>(part.mesh)];
   for (size_t m = 0; m < vertices.morphs.size() && m < weights.size(); ++m) {
     if (weights[m] == 0.0F) continue;
     const AvatarMorph& morph = vertices.morphs[m];

@@ -38,13 +38,16 @@ class AvatarPoser {
   /// Linear-blend skinning; a skinned mesh does not move with its own node (glTF 2.0, 3.7.3.3). Bones turn normals
   /// as they turn positions, which is right as long as they do not scale unevenly.
   void pose(const AvatarPose& pose);
+  /// The same with every node placed by the caller; `morph_weights` as in AvatarPose.
+  void place(std::span<const glm::dmat4> world_from_node, std::span<const std::vector<float>> morph_weights);
 
   std::span<const Part> parts() const { return parts_; }
   std::span<const glm::dmat4> world_from_node() const { return world_from_node_; }
 
  private:
+  void pose_parts(std::span<const std::vector<float>> morph_weights);
   void place_joints(int skin_of_node);
-  void pose_part(const AvatarPose& pose, Part& part);
+  void pose_part(std::span<const std::vector<float>> morph_weights, Part& part);
 
   const Avatar& avatar_;
   std::vector<glm::dmat4> world_from_node_;

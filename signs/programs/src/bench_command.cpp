@@ -176,9 +176,9 @@ Result<void> run_bench(const Options& options) {
   Session session(options);
   const auto show = session.show();
   if (!show) return tl::unexpected(show.error());
-  const auto figure = session.figure();
-  if (!figure) return tl::unexpected(figure.error());
-  auto stage = Stage::build(**figure, options.stage);
+  const auto body = session.body();
+  if (!body) return tl::unexpected(body.error());
+  auto stage = body->stage(options.stage);
   if (!stage) return tl::unexpected(stage.error());
   auto target = Target::open(options.stage);
   if (!target) return tl::unexpected(target.error());

@@ -38,8 +38,8 @@ int64_t frame_count(const Show& show, int fps) {
 FrameMaker::FrameMaker(Stage stage, CaptionPainter painter, const Show& show, const FrameOptions& options)
     : stage_(std::move(stage)), painter_(std::move(painter)), show_(&show), options_(options) {}
 
-Result<FrameMaker> FrameMaker::build(const Figure& figure, const Show& show, const FrameOptions& options) {
-  auto stage = Stage::build(figure, options.stage);
+Result<FrameMaker> FrameMaker::build(const Body& body, const Show& show, const FrameOptions& options) {
+  auto stage = body.stage(options.stage);
   if (!stage) return tl::unexpected(stage.error());
   auto painter = CaptionPainter::open();
   if (!painter) return tl::unexpected(painter.error());

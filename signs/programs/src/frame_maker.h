@@ -26,7 +26,7 @@ struct FrameOptions {
 /// Draws single frames. One thread at a time; makers of the same show and figure are independent.
 class FrameMaker {
  public:
-  static Result<FrameMaker> build(const Figure& figure, const Show& show, const FrameOptions& options);
+  static Result<FrameMaker> build(const Body& body, const Show& show, const FrameOptions& options);
 
   /// Draws what is to be seen at a time. `frame` has the size of the stage.
   void make(Tick time, FrameSpan frame);

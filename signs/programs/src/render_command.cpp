@@ -20,14 +20,14 @@ namespace {
 
 /// Draws frames in order, several at once, and hands each to `take`.
 template <typename Take>
-Result<void> make_frames(const Figure& figure, const Show& show, const FrameOptions& options, int threads,
+Result<void> make_frames(const Body& body, const Show& show, const FrameOptions& options, int threads,
                          const std::vector<Tick>& times, Progress& progress, Take take) {
   const auto count = static_cast<int64_t>(times.size());
   const auto workers = static_cast<size_t>(std::clamp<int64_t>(threads, 1, count));
   std::vector<FrameMaker> makers;
   std::vector<Picture> frames;
   for (size_t i = 0; i < workers; ++i) {
-    auto maker = FrameMaker::build(figure, show, options);
+    auto maker = FrameMaker::build(body, show, options);
     if (!maker) return tl::unexpected(maker.error());
     makers.push_back(std::move(*maker));
     frames.push_back(make_picture(options.stage.width, options.stage.height));
@@ -77,8 +77,8 @@ std::string clip_name(const Options& options) {
 
 Result<void> render_to(const Options& options, Session& session, const Show& show, const std::string& output,
                        bool caption) {
-  const auto figure = session.figure();
-  if (!figure) return tl::unexpected(figure.error());
+  const auto body = session.body();
+  if (!body) return tl::unexpected(body.error());
   std::vector<Tick> times;
   if (options.at) {
     times.push_back(std::min(ticks(*options.at), show.end));
@@ -102,7 +102,7 @@ Result<void> render_to(const Options& options, Session& session, const Show& sho
   frames.caption = caption;
   std::string digests;
   Progress progress("drawing", static_cast<int64_t>(times.size()), options.quiet);
-  auto made = make_frames(**figure, show, frames, options.threads, times, progress,
+  auto made = make_frames(*body, show, frames, options.threads, times, progress,
                           [&](int64_t index, FrameView frame) -> Result<void> {
                             if (options.hash) digests += std::to_string(index) + " " + frame_digest(frame) + "\n";
                             return sink ? sink->write(frame) : Result<void>();
@@ -140,12 +140,12 @@ Result<void> render_to(const Options& options, Session& session, const Show& sho
 
 /// Plays a show over and over until the window is closed.
 Result<void> play(const Options& options, Session& session, const Show& show) {
-  const auto figure = session.figure();
-  if (!figure) return tl::unexpected(figure.error());
+  const auto body = session.body();
+  if (!body) return tl::unexpected(body.error());
   FrameOptions frames;
   frames.stage = options.stage;
   frames.caption = true;
-  auto maker = FrameMaker::build(**figure, show, frames);
+  auto maker = FrameMaker::build(*body, show, frames);
   if (!maker) return tl::unexpected(maker.error());
   auto window = Window::open("Auslan Jam", options.stage.width, options.stage.height);
   if (!window) return tl::unexpected(window.error());

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session.h"
 
+#include "commands.h"
 #include "data_files.h"
+#include "gltf/avatar_gltf.h"
 #include "gltf/figure_gltf.h"
 #include "kinematics/figure_file.h"
 #include "media/motion_file.h"
@@ -66,16 +68,47 @@ Result<TranslatorData> translator_data(const Lexicon& lexicon) {
 
 }  // namespace
 
+Result<Stage> Body::stage(const StageOptions& options) const {
+  if (avatar == nullptr) return Stage::build(*figure, options);
+  return Stage::build(*figure, make_avatar_model(*avatar, pictures), options);
+}
+
+Result<void> Session::load_avatar() {
+  auto avatar = read_avatar(options_.avatar);
+  if (!avatar) return tl::unexpected(avatar.error());
+  auto fitted = fit_avatar(std::move(*avatar));
+  if (!fitted) {
+    fitted.error().place = options_.avatar;
+    return tl::unexpected(fitted.error());
+  }
+  avatar_ = std::make_unique<SigningAvatar>(std::move(*fitted));
+  for (const std::string& warning : avatar_->warnings)
+    remark(options_, "auslanjam: " + options_.avatar + ": " + warning);
+  return {};
+}
+
 Result<const Figure*> Session::figure() {
+  if (avatar_) return &avatar_->figure;
   if (figure_) return figure_.get();
   const bool foreign =
       ends_with(options_.avatar, ".glb") || ends_with(options_.avatar, ".gltf") || ends_with(options_.avatar, ".vrm");
+  // A figure of our own form keeps its smooth joints; everything else is a foreign avatar.
   auto figure = foreign ? read_gltf(options_.avatar)
                         : read_figure(options_.avatar.empty() ? data_file("signer.figure")
                                                               : std::filesystem::path(options_.avatar));
+  if (foreign && !figure) {
+    if (auto loaded = load_avatar(); !loaded) return tl::unexpected(loaded.error());
+    return &avatar_->figure;
+  }
   if (!figure) return tl::unexpected(figure.error());
   figure_ = std::make_unique<Figure>(std::move(*figure));
   return figure_.get();
+}
+
+Result<Body> Session::body() {
+  const auto figure = this->figure();
+  if (!figure) return tl::unexpected(figure.error());
+  return Body{.figure = *figure, .avatar = avatar_.get(), .pictures = pictures_};
 }
 
 Result<const Lexicon*> Session::lexicon() {
@@ -204,7 +237,7 @@ Result<Show> Session::show() {
   const auto figure = this->figure();
   if (!figure) return tl::unexpected(figure.error());
   if (!signer_) {
-    auto signer = Signer::build(**figure);
+    auto signer = Signer::build(**figure, avatar_ ? std::optional(avatar_->face) : std::nullopt);
     if (!signer) return tl::unexpected(signer.error());
     signer_.emplace(std::move(*signer));
   }

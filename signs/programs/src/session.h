@@ -2,10 +2,12 @@
 // What the commands work with: the figure, the lexicon and the translator, each opened when first needed.
 #pragma once
 
+#include "kinematics/avatar_model.h"
 #include "kinematics/figure.h"
 #include "kinematics/result.h"
 #include "lexicon/lexicon.h"
 #include "options.h"
+#include "stage/stage.h"
 #include "synthesis/performance.h"
 #include "synthesis/signer.h"
 #include "synthesis/utterance.h"
@@ -14,6 +16,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,11 +33,23 @@ struct Show {
   std::vector<std::string> warnings;
 };
 
+/// What signs: the built-in figure, one that was baked, or a foreign avatar.
+struct Body {
+  const Figure* figure = nullptr;
+  const SigningAvatar* avatar = nullptr;  ///< null: the figure's own segments are drawn
+  std::span<const AvatarPicture> pictures;
+
+  /// A stage of this body. The body outlives it.
+  Result<Stage> stage(const StageOptions& options) const;
+};
+
 class Session {
  public:
   explicit Session(const Options& options) : options_(options) {}
 
   Result<const Figure*> figure();
+  /// The figure and how it is drawn.
+  Result<Body> body();
   Result<const Lexicon*> lexicon();
   Result<Translation> translation();
   Result<Show> show();
@@ -50,7 +65,11 @@ class Session {
   Result<Show> show_of_motion_file();
 
   const Options& options_;
+  Result<void> load_avatar();
+
   std::unique_ptr<Figure> figure_;
+  std::unique_ptr<SigningAvatar> avatar_;
+  std::vector<AvatarPicture> pictures_;
   std::optional<Lexicon> lexicon_;
   std::optional<Signer> signer_;
 };

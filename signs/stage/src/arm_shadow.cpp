@@ -56,10 +56,8 @@ uint8_t scaled(uint8_t level, uint32_t shade) {
 ArmShadow::ArmShadow(const Skeleton& skeleton, const glm::vec3& towards_light)
     : light_(glm::normalize(towards_light)),
       nodes_{arm_nodes(skeleton, Side::kLeft), arm_nodes(skeleton, Side::kRight)},
-      receivers_(static_cast<size_t>(skeleton.size())) {
-  const auto receive = [&](int node, bool left, bool right) {
-    receivers_[static_cast<size_t>(node)].from = {left, right};
-  };
+      from_(static_cast<size_t>(skeleton.size())) {
+  const auto receive = [&](int node, bool left, bool right) { from_[static_cast<size_t>(node)] = {left, right}; };
   for (const char* name : {"spine_base", "neck_base", "head_base"})
     receive(skeleton.find(name), true, true);
   receive(nodes_[0].shoulder, false, true);
@@ -151,8 +149,11 @@ bool ArmShadow::darken(Receiver& receiver, const PosedMesh& mesh, const glm::vec
 std::span<const PosedMesh> ArmShadow::cast(std::span<const Transform> world_from_node,
                                            std::span<const PosedMesh> meshes) {
   meshes_.assign(meshes.begin(), meshes.end());
-  for (PosedMesh& mesh : meshes_) {
-    Receiver& receiver = receivers_[static_cast<size_t>(mesh.node)];
+  receivers_.resize(meshes_.size());
+  for (size_t m = 0; m < meshes_.size(); ++m) {
+    PosedMesh& mesh = meshes_[m];
+    Receiver& receiver = receivers_[m];
+    receiver.from = from_[static_cast<size_t>(mesh.node)];
     if (!receiver.from[0] && !receiver.from[1]) continue;
     if (receiver.revision == 0) {
       receiver.shade.assign(mesh.positions.size(), 255);

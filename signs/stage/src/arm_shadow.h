@@ -35,7 +35,7 @@ class ArmShadow {
   using Arm = std::array<Capsule, kCapsules>;
 
   struct Receiver {
-    std::array<bool, 2> from{};  ///< which arms' shadows fall on it
+    std::array<bool, 2> from{};
     std::array<Arm, 2> applied{};
     uint64_t applied_revision = 0;
     std::vector<uint8_t> shade;  ///< of each vertex, 255 is none
@@ -49,7 +49,8 @@ class ArmShadow {
   glm::vec3 light_;
   std::array<ArmNodes, 2> nodes_;
   std::array<std::array<float, kCapsules>, 2> radii_{};
-  std::vector<Receiver> receivers_;  ///< one a node; `from` is empty for those that receive none
+  std::vector<std::array<bool, 2>> from_;  ///< one a node: which arms' shadows fall on it
+  std::vector<Receiver> receivers_;        ///< one a mesh of a frame
   std::vector<PosedMesh> meshes_;
 };
 

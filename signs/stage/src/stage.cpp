@@ -83,12 +83,10 @@ std::optional<CameraName> camera_from_name(std::string_view name) {
   return std::nullopt;
 }
 
-Stage::Stage(const Figure& figure, const StageOptions& options)
+Stage::Stage(const Figure& figure, std::unique_ptr<BodyModel> model, const StageOptions& options)
     : figure_(&figure),
       options_(options),
-      model_(options.flat    ? make_rigid_flat(figure)
-             : options.rigid ? make_rigid_gouraud(figure)
-                             : make_skinned(figure)),
+      model_(std::move(model)),
       shadow_(options.shadow ? std::make_unique<ArmShadow>(figure.skeleton, stage_lighting().key_direction) : nullptr),
       renderer_(options.threads, options.kernel.value()),
       camera_(
@@ -103,6 +101,14 @@ Stage& Stage::operator=(Stage&&) noexcept = default;
 Stage::~Stage() = default;
 
 Result<Stage> Stage::build(const Figure& figure, const StageOptions& options) {
+  return build(figure,
+               options.flat    ? make_rigid_flat(figure)
+               : options.rigid ? make_rigid_gouraud(figure)
+                               : make_skinned(figure),
+               options);
+}
+
+Result<Stage> Stage::build(const Figure& figure, std::unique_ptr<BodyModel> model, const StageOptions& options) {
   const bool size_ok = options.width >= 1 && options.width <= raster::kMaxImageSize && options.height >= 1 &&
                        options.height <= raster::kMaxImageSize;
   if (!size_ok) return fail(ErrorCode::kUsage, "the picture's width and height must lie between 1 and 16384 pixels");
@@ -118,7 +124,7 @@ Result<Stage> Stage::build(const Figure& figure, const StageOptions& options) {
     return fail(ErrorCode::kUsage,
                 "AUSLANJAM_KERNEL names no kernel of the rasteriser that runs here; unset it, or take one of:" + names);
   }
-  return Stage(figure, chosen);
+  return Stage(figure, std::move(model), chosen);
 }
 
 void Stage::render(const Pose& pose, std::span<uint32_t> pixels, raster::Canvas canvas) {

@@ -27,7 +27,7 @@ bool is_in_space(Location location) {
   return location >= Location::kHighNeutral && location <= Location::kContraSpace;
 }
 
-Result<BodySites> BodySites::build(const Figure& figure) {
+Result<BodySites> BodySites::build(const Figure& figure, const std::optional<FaceLandmarks>& face) {
   BodySites sites;
   sites.figure_ = &figure;
   const Skeleton& skeleton = figure.skeleton;
@@ -48,11 +48,37 @@ Result<BodySites> BodySites::build(const Figure& figure) {
   const double front = extreme(sites.head_, Vec3(0, 0, 1)).z;
   const double behind = extreme(sites.head_, Vec3(0, 0, -1)).z;
   sites.head_z_ = 0.5 * (front + behind);
+  if (face) {
+    sites.chin_y_ = face->chin_y;
+    sites.top_y_ = face->top_y;
+    sites.head_half_width_ = face->half_width;
+    sites.head_z_ = face->middle_z;
+    sites.eye_y_ = face->eye_y;
+    sites.mouth_y_ = face->mouth_y;
+  }
   sites.base_y_ = skeleton.rest_position(sites.trunk_).y;
   sites.shoulder_ = {skeleton.rest_position(skeleton.find("shoulder_l")),
                      skeleton.rest_position(skeleton.find("shoulder_r"))};
   sites.sternum_ = sites.site(Location::kChest, Side::kRight, Vec3(0.0), true).position;
   return sites;
+}
+
+double BodySites::face_height(double fraction) const {
+  // Between the landmarks that are known, in proportion.
+  double low = 0.0, high = 1.0, low_y = chin_y_, high_y = top_y_;
+  const auto split = [&](double known, const std::optional<double>& y) {
+    if (!y) return;
+    if (fraction < known && known < high) {
+      high = known;
+      high_y = *y;
+    } else if (fraction >= known && known > low) {
+      low = known;
+      low_y = *y;
+    }
+  };
+  split(kMouth, mouth_y_);
+  split(kEyes, eye_y_);
+  return low_y + (fraction - low) / (high - low) * (high_y - low_y);
 }
 
 Site BodySites::cast(Location location, const Vec3& target, const Vec3& from) const {
@@ -70,7 +96,7 @@ Site BodySites::site(Location location, Side side, const Vec3& offset, bool on_s
   const double s = side == Side::kRight ? -1.0 : 1.0;  // towards the articulating side
   const double shoulder_y = shoulder_[0].y, shoulder_x = std::abs(shoulder_[0].x);
   const double trunk = shoulder_y - base_y_;
-  const auto face = [&](double fraction) { return chin_y_ + fraction * (top_y_ - chin_y_); };
+  const auto face = [&](double fraction) { return face_height(fraction); };
   const double w = head_half_width_;
   // The point aimed at and the direction from which it is seen.
   Vec3 target(0.0), from(0, 0, 1);

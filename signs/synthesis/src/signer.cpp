@@ -98,8 +98,8 @@ Signer::Signer(const Figure& figure, BodySites body, std::array<HandSites, 2> ha
       trunk_(TrunkProfile::measure(figure)),
       frames_{rest_hand_frame(figure.skeleton, Side::kLeft), rest_hand_frame(figure.skeleton, Side::kRight)} {}
 
-Result<Signer> Signer::build(const Figure& figure) {
-  auto body = BodySites::build(figure);
+Result<Signer> Signer::build(const Figure& figure, const std::optional<FaceLandmarks>& face) {
+  auto body = BodySites::build(figure, face);
   if (!body) return tl::unexpected(body.error());
   auto left = HandSites::build(figure, Side::kLeft);
   if (!left) return tl::unexpected(left.error());

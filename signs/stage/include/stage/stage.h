@@ -53,6 +53,8 @@ class Stage {
  public:
   /// The figure must outlive the stage. kUsage for sizes, sample counts or kernels that the rasteriser does not take.
   static Result<Stage> build(const Figure& figure, const StageOptions& options);
+  /// The same with a model of the caller's that the figure's skeleton moves, in place of those that the options name.
+  static Result<Stage> build(const Figure& figure, std::unique_ptr<BodyModel> model, const StageOptions& options);
   Stage(Stage&&) noexcept;
   Stage& operator=(Stage&&) noexcept;
   ~Stage();
@@ -69,7 +71,7 @@ class Stage {
   const raster::DrawStats& stats() const { return renderer_.stats(); }
 
  private:
-  Stage(const Figure& figure, const StageOptions& options);
+  Stage(const Figure& figure, std::unique_ptr<BodyModel> model, const StageOptions& options);
 
   const Figure* figure_;
   StageOptions options_;

@@ -3,9 +3,12 @@
 #pragma once
 
 #include "kinematics/anatomy.h"
+#include "kinematics/face_landmarks.h"
 #include "kinematics/figure.h"
 #include "kinematics/result.h"
 #include "phonology/sign.h"
+
+#include <optional>
 
 namespace auslan {
 
@@ -23,9 +26,9 @@ bool is_in_space(Location location);
 /// Places of the head and trunk at rest, in world space. The figure must outlive it.
 class BodySites {
  public:
-  /// Measures the landmarks (chin, top of head, shoulder line) on the meshes. kUnsupported where head or trunk has
-  /// none.
-  static Result<BodySites> build(const Figure& figure);
+  /// Measures the landmarks (chin, top of head, shoulder line) on the meshes; those of the face are `face`'s where it
+  /// is given. kUnsupported where head or trunk has no mesh.
+  static Result<BodySites> build(const Figure& figure, const std::optional<FaceLandmarks>& face = std::nullopt);
 
   /// The place for a hand of `side`, displaced by `offset` (metres, world axes). In
   /// signing space the offset is free, and one without any depth gets the usual distance from the chest. On the body,
@@ -39,6 +42,8 @@ class BodySites {
   double waist_height() const { return base_y_; }
 
  private:
+  /// The height of a fraction of the way from chin to crown.
+  double face_height(double fraction) const;
   /// From `origin`, in front of or beside the body, towards it: the skin, or the origin's projection where there is
   /// none.
   Site cast(Location location, const Vec3& target, const Vec3& from) const;
@@ -46,6 +51,7 @@ class BodySites {
   const Figure* figure_ = nullptr;
   int trunk_ = 0, neck_ = 0, head_ = 0;
   double chin_y_ = 0, top_y_ = 0, head_z_ = 0, head_half_width_ = 0;
+  std::optional<double> eye_y_, mouth_y_;
   double base_y_ = 0;
   std::array<Vec3, 2> shoulder_;
   Vec3 sternum_{0.0};

@@ -13,6 +13,7 @@
 #include "synthesis/trunk_profile.h"
 
 #include <array>
+#include <optional>
 
 namespace auslan {
 
@@ -41,8 +42,9 @@ HandState mirrored(const HandState& state);
 
 class Signer {
  public:
-  /// kUnsupported where a body part that signs need has no surface. The figure must outlive the signer.
-  static Result<Signer> build(const Figure& figure);
+  /// kUnsupported where a body part that signs need has no surface. The figure must outlive the signer. `face` as in
+  /// BodySites::build.
+  static Result<Signer> build(const Figure& figure, const std::optional<FaceLandmarks>& face = std::nullopt);
 
   const Figure& figure() const { return *figure_; }
   const BodySites& body() const { return body_; }
