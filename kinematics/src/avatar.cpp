@@ -146,6 +146,16 @@ void add_binds(const Avatar& avatar, FaceDrive& drive, double share, auto is_wan
     }
 }
 
+/// Lips that an expression shapes do not open a jaw that has a morph target of its own: its channel does.
+void leave_jaw_out(const FaceDrive& jaw, FaceDrive& drive) {
+  if (jaw.means != FaceDrive::Means::kMorph) return;
+  std::erase_if(drive.binds, [&](const MorphBind& bind) {
+    return std::ranges::any_of(
+        jaw.binds, [&](const MorphBind& each) { return each.mesh == bind.mesh && each.morph == bind.morph; });
+  });
+  if (drive.binds.empty()) drive = {};
+}
+
 void drive_by_expression(const AvatarExpression& expression, double share, FaceDrive& drive) {
   if (expression.binds.empty() || drive.means != FaceDrive::Means::kNone) return;
   drive = {.means = FaceDrive::Means::kExpression, .source = expression.name, .binds = expression.binds};
@@ -187,10 +197,13 @@ void drive_face(Avatar& avatar) {
   for (const Stand& stand : kStands) {
     // Both channels of a pair take half of an expression that moves both sides.
     const bool is_half = is_sided_face_channel(stand.channel) && !stand.expression.starts_with("blink");
+    FaceDrive& drive = avatar.face[static_cast<size_t>(stand.channel)];
     for (const AvatarExpression& expression : avatar.expressions)
-      if (expression.name == stand.expression)
-        drive_by_expression(expression, is_half ? 0.5 : 1.0, avatar.face[static_cast<size_t>(stand.channel)]);
+      if (expression.name == stand.expression) drive_by_expression(expression, is_half ? 0.5 : 1.0, drive);
   }
+  for (const FaceChannel lips : {kMouthPucker, kMouthFunnel, kMouthStretchLeft, kMouthStretchRight})
+    if (FaceDrive& drive = avatar.face[static_cast<size_t>(lips)]; drive.means == FaceDrive::Means::kExpression)
+      leave_jaw_out(avatar.face[static_cast<size_t>(kJawOpen)], drive);
 }
 
 }  // namespace auslan

@@ -87,6 +87,7 @@ class AvatarModel final : public BodyModel {
   }
 
   std::span<const PosedMesh> pose(std::span<const Transform> world_from_node, const FaceWeights& face) override {
+    if (!is_new(world_from_node, face)) return posed_;
     drive(world_from_node, face);
     weigh(face);
     for (size_t i = 0; i < world_.size(); ++i)
@@ -104,6 +105,17 @@ class AvatarModel final : public BodyModel {
     int node;
     Vec3 axis;
   };
+
+  /// Whether the pose is another than the last one, which it then is.
+  bool is_new(std::span<const Transform> world_from_node, const FaceWeights& face) {
+    const auto same = [](const Transform& a, const Transform& b) {
+      return a.rotation == b.rotation && a.position == b.position;
+    };
+    if (face == last_face_ && std::ranges::equal(world_from_node.first(fit::kNodes), last_, same)) return false;
+    last_.assign(world_from_node.begin(), world_from_node.begin() + fit::kNodes);
+    last_face_ = face;
+    return true;
+  }
 
   static int node_of(int driver) {
     if (driver >= AvatarDriver::kFirstTwist) {
@@ -249,6 +261,8 @@ class AvatarModel final : public BodyModel {
   AvatarPoser poser_;
   std::vector<std::vector<float>> rest_weights_, weights_;
   std::vector<glm::dmat4> driven_, world_;
+  std::vector<Transform> last_;
+  FaceWeights last_face_{};
   std::vector<Vec3> rest_;
   std::vector<Twist> twists_;
   std::vector<std::pair<int, Piece>> pieces_;  ///< by node of the figure

@@ -145,15 +145,17 @@ class Profile {
  public:
   Profile(const Mesh& head, const Vec3& origin, double bottom, double top) : bottom_(bottom) {
     front_.assign(static_cast<size_t>(std::max(1.0, (top - bottom) / kStep)) + 1, kMissing);
-    for (size_t i = 0; i + 2 < head.indices.size(); i += 3)
+    for (size_t i = 0; i + 2 < head.indices.size(); i += 3) {
+      std::array<Vec3, 3> crossings;
+      size_t count = 0;
       for (size_t k = 0; k < 3; ++k) {
         const Vec3 a = origin + Vec3(head.positions[head.indices[i + k]]);
         const Vec3 b = origin + Vec3(head.positions[head.indices[i + (k + 1) % 3]]);
         if ((a.x < 0.0) == (b.x < 0.0)) continue;
-        const double t = a.x / (a.x - b.x);
-        crossings_.push_back(a + (b - a) * t);
-        if (crossings_.size() % 2 == 0) add(crossings_[crossings_.size() - 2], crossings_.back());
+        crossings[count++] = a + (b - a) * (a.x / (a.x - b.x));
       }
+      if (count == 2) add(crossings[0], crossings[1]);
+    }
   }
 
   static constexpr double kStep = 0.001;
@@ -181,7 +183,6 @@ class Profile {
 
   double bottom_;
   std::vector<double> front_;
-  std::vector<Vec3> crossings_;
 };
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session.h"
 
+#include "avatar_pictures.h"
 #include "commands.h"
 #include "data_files.h"
 #include "gltf/avatar_gltf.h"
@@ -82,6 +83,7 @@ Result<void> Session::load_avatar() {
     return tl::unexpected(fitted.error());
   }
   avatar_ = std::make_unique<SigningAvatar>(std::move(*fitted));
+  pictures_ = decode_pictures(avatar_->avatar, avatar_->warnings);
   for (const std::string& warning : avatar_->warnings)
     remark(options_, "auslanjam: " + options_.avatar + ": " + warning);
   return {};

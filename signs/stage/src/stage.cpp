@@ -31,6 +31,15 @@ glm::vec3 to_float(const Vec3& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
+/// The top of the head.
+double highest(const Figure& figure) {
+  const int node = figure.skeleton.find("head_base");
+  float top = 0.0F;
+  for (const glm::vec3& position : figure.segments[static_cast<size_t>(node)].positions)
+    top = std::max(top, position.y);
+  return figure.skeleton.rest_position(node).y + static_cast<double>(top);
+}
+
 }  // namespace
 
 // Cameras are placed by the figure's own proportions, so that a taller signer fills the picture as a shorter one does.
@@ -40,22 +49,25 @@ raster::Camera stage_camera(const Figure& figure, CameraName name, float aspect)
   const Vec3 head = skeleton.rest_position(skeleton.find("head_base"));
   const double trunk = head.y - base.y;  // from the spine's base to the base of the skull
   const Vec3 chest(0.0, base.y + 0.62 * trunk, base.z + 0.05);
+  // A head that is taller than people have it, with hat or hair, moves the picture up and the camera back.
+  const double rise = highest(figure) - head.y;
+  const double taller = std::max(0.0, rise - 0.4 * trunk);
   Vec3 eye, target, up(0, 1, 0);
   double cot = 3.2;  // half the vertical field of view has a tangent of 1/3.2: a portrait lens
   switch (name) {
     case CameraName::kFront:
-      target = chest + Vec3(0, 0.07 * trunk, 0);
-      eye = target + Vec3(0, 0.10 * trunk, 2.85 * trunk / 0.60);
+      target = chest + Vec3(0, 0.07 * trunk + 0.5 * taller, 0);
+      eye = target + Vec3(0, 0.10 * trunk, 2.85 * (trunk + taller) / 0.60);
       cot = 5.6;
       break;
     case CameraName::kThreeQuarter:
-      target = chest + Vec3(0, 0.12 * trunk, 0.1);
-      eye = target + Vec3(-1.75, 0.15, 2.2) * (trunk / 0.60);
+      target = chest + Vec3(0, 0.12 * trunk + 0.5 * taller, 0.1);
+      eye = target + Vec3(-1.75, 0.15, 2.2) * ((trunk + taller) / 0.60);
       cot = 5.2;
       break;
     case CameraName::kSide:
-      target = chest + Vec3(0, 0.12 * trunk, 0.18);
-      eye = target + Vec3(-2.85, 0.06, 0) * (trunk / 0.60);
+      target = chest + Vec3(0, 0.12 * trunk + 0.5 * taller, 0.18);
+      eye = target + Vec3(-2.85, 0.06, 0) * ((trunk + taller) / 0.60);
       cot = 5.2;
       break;
     case CameraName::kSigner:
@@ -69,8 +81,8 @@ raster::Camera stage_camera(const Figure& figure, CameraName name, float aspect)
       cot = 6.2;
       break;
     case CameraName::kFace:
-      target = head + Vec3(0, 0.07, 0.05);
-      eye = target + Vec3(0, 0.02, 1.5);
+      target = head + Vec3(0, 0.07 + 0.4 * taller, 0.05);
+      eye = target + Vec3(0, 0.02, 1.5 + 5.0 * taller);
       cot = 8.0;
       break;
   }

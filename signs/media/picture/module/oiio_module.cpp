@@ -54,16 +54,53 @@ int failed(char* error, size_t error_size, const std::string& message, int statu
   return status;
 }
 
+/// Opens a picture in memory. `reader` outlives what comes out.
+int open_input(OIIO::Filesystem::IOMemReader& reader, const char* format, std::unique_ptr<OIIO::ImageInput>& input,
+               char* error, size_t error_size) {
+  input = OIIO::ImageInput::create(format, false, nullptr, &reader);
+  if (!input) return failed(error, error_size, OIIO::geterror());
+  // create() only chooses the format with the reader's help: it has to be handed over again to be read from.
+  if (!input->set_ioproxy(&reader)) return failed(error, error_size, "this format is not read from memory");
+  OIIO::ImageSpec spec, wanted;
+  wanted.attribute("oiio:UnassociatedAlpha", 1);
+  if (!input->open(std::string("picture.") + format, spec, wanted))
+    return failed(error, error_size, input->geterror(), AUSLAN_OIIO_MALFORMED);
+  return AUSLAN_OIIO_OK;
+}
+
+int decode_image(const uint8_t* bytes, size_t size, const char* format, size_t max_pixels, auslan_oiio_place place,
+                 void* user, char* error, size_t error_size) {
+  OIIO::Filesystem::IOMemReader reader(const_cast<uint8_t*>(bytes), size);
+  std::unique_ptr<OIIO::ImageInput> input;
+  if (const int status = open_input(reader, format, input, error, error_size); status != AUSLAN_OIIO_OK) return status;
+  const OIIO::ImageSpec spec = input->spec();
+  const int channels = spec.nchannels;
+  if (spec.width < 1 || spec.height < 1 || channels < 1 || channels > 4)
+    return failed(error, error_size, "it has no pixels or strange channels", AUSLAN_OIIO_MALFORMED);
+  if (area(spec.width, spec.height) > max_pixels)
+    return failed(error, error_size, "it is larger than " + std::to_string(max_pixels) + " pixels", AUSLAN_OIIO_LIMIT);
+  const size_t count = area(spec.width, spec.height);
+  std::vector<uint8_t> samples(count * static_cast<size_t>(channels));
+  if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::UINT8, samples.data()))
+    return failed(error, error_size, input->geterror(), AUSLAN_OIIO_MALFORMED);
+  uint32_t* pixels = place(user, spec.width, spec.height);
+  if (pixels == nullptr) return failed(error, error_size, "no room for its pixels", AUSLAN_OIIO_LIMIT);
+  const bool grey = channels < 3;
+  const bool has_alpha = channels == 2 || channels == 4;
+  for (size_t i = 0; i < count; ++i) {
+    const uint8_t* pixel = samples.data() + i * static_cast<size_t>(channels);
+    const uint32_t alpha = has_alpha ? pixel[channels - 1] : 255U;
+    pixels[i] = alpha << 24 | uint32_t{pixel[0]} << 16 | uint32_t{pixel[grey ? 0 : 1]} << 8 | pixel[grey ? 0 : 2];
+  }
+  return AUSLAN_OIIO_OK;
+}
+
 int decode(const uint8_t* bytes, size_t size, const char* format, int subimage, int max_side, auslan_oiio_place place,
            void* user, char* error, size_t error_size) {
   OIIO::Filesystem::IOMemReader reader(const_cast<uint8_t*>(bytes), size);
-  const std::string name = std::string("picture.") + format;
-  const auto input = OIIO::ImageInput::create(format, false, nullptr, &reader);
-  if (!input) return failed(error, error_size, OIIO::geterror());
+  std::unique_ptr<OIIO::ImageInput> input;
+  if (const int status = open_input(reader, format, input, error, error_size); status != AUSLAN_OIIO_OK) return status;
   OIIO::ImageSpec spec;
-  // create() only chooses the format with the reader's help: it has to be handed over again to be read from.
-  if (!input->set_ioproxy(&reader)) return failed(error, error_size, "this format is not read from memory");
-  if (!input->open(name, spec)) return failed(error, error_size, input->geterror(), AUSLAN_OIIO_MALFORMED);
   if (subimage > 0 && !input->seek_subimage(subimage, 0))
     return failed(error, error_size, "there is no such frame", AUSLAN_OIIO_MALFORMED);
   spec = input->spec();
@@ -139,6 +176,13 @@ AUSLAN_EXPORT int auslan_oiio_encode_png(const uint32_t* pixels, int width, int 
       return failed(error, error_size, output->geterror());
     if (take(user, buffer.data(), buffer.size()) != 0) return failed(error, error_size, "the bytes could not be taken");
     return AUSLAN_OIIO_OK;
+  });
+}
+
+AUSLAN_EXPORT int auslan_oiio_decode_image(const uint8_t* bytes, size_t size, const char* format, size_t max_pixels,
+                                           auslan_oiio_place place, void* user, char* error, size_t error_size) {
+  return guarded(error, error_size, [&]() -> int {
+    return decode_image(bytes, size, format, max_pixels, place, user, error, error_size);
   });
 }
 

@@ -11,7 +11,7 @@ extern "C" {
 #endif
 
 /// Raised with every change of what is below; the loader refuses another number.
-enum { AUSLAN_OIIO_ABI = 1 };
+enum { AUSLAN_OIIO_ABI = 2 };
 
 /// What a call came to. On anything but kOk `error` holds a sentence (cut to `error_size`).
 enum auslan_oiio_status {
@@ -35,6 +35,9 @@ typedef int (*auslan_oiio_encode_png_fn)(const uint32_t* pixels, int width, int 
 typedef uint32_t* (*auslan_oiio_place)(void* user, int width, int height);
 typedef int (*auslan_oiio_decode_fn)(const uint8_t* bytes, size_t size, const char* format, int subimage, int max_side,
                                      auslan_oiio_place place, void* user, char* error, size_t error_size);
+/// Reads a picture of any maker ("png", "jpeg") of at most `max_pixels` as 0xAARRGGBB, colours not multiplied by alpha.
+typedef int (*auslan_oiio_decode_image_fn)(const uint8_t* bytes, size_t size, const char* format, size_t max_pixels,
+                                           auslan_oiio_place place, void* user, char* error, size_t error_size);
 /// Null on failure.
 typedef auslan_oiio_gif* (*auslan_oiio_gif_open_fn)(int width, int height, double fps, char* error, size_t error_size);
 /// Appends a frame, and hands out the bytes that are complete so far.

@@ -23,6 +23,7 @@ constexpr size_t kErrorSize = 512;
 struct Module {
   auslan_oiio_encode_png_fn encode_png = nullptr;
   auslan_oiio_decode_fn decode = nullptr;
+  auslan_oiio_decode_image_fn decode_image = nullptr;
   auslan_oiio_gif_open_fn gif_open = nullptr;
   auslan_oiio_gif_write_fn gif_write = nullptr;
   auslan_oiio_gif_finish_fn gif_finish = nullptr;
@@ -52,7 +53,9 @@ Result<Module> bind(void* library, const std::string& path) {
   auslan_oiio_abi_fn abi = nullptr;
   if (!find(library, "auslan_oiio_abi", abi) || abi() != AUSLAN_OIIO_ABI ||
       !find(library, "auslan_oiio_encode_png", module.encode_png) ||
-      !find(library, "auslan_oiio_decode", module.decode) || !find(library, "auslan_oiio_gif_open", module.gif_open) ||
+      !find(library, "auslan_oiio_decode", module.decode) ||
+      !find(library, "auslan_oiio_decode_image", module.decode_image) ||
+      !find(library, "auslan_oiio_gif_open", module.gif_open) ||
       !find(library, "auslan_oiio_gif_write", module.gif_write) ||
       !find(library, "auslan_oiio_gif_finish", module.gif_finish) ||
       !find(library, "auslan_oiio_gif_close", module.gif_close))
@@ -157,6 +160,19 @@ Result<Picture> decode_picture(std::span<const uint8_t> bytes, PictureFormat for
         code_of(status),
         std::string("this picture cannot be read: ") + error.data() + "; replace it by one that this program wrote",
         name);
+  return picture;
+}
+
+Result<Picture> decode_image(std::span<const uint8_t> bytes, ImageFormat format, size_t max_pixels,
+                             const std::string& name) {
+  const auto loaded = module();
+  if (!loaded) return tl::unexpected(loaded.error());
+  Picture picture;
+  std::array<char, kErrorSize> error{};
+  const int status = (*loaded)->decode_image(bytes.data(), bytes.size(), format == ImageFormat::kPng ? "png" : "jpeg",
+                                             max_pixels, place, &picture, error.data(), error.size());
+  if (status != AUSLAN_OIIO_OK)
+    return fail(code_of(status), std::string("this image cannot be read: ") + error.data(), name);
   return picture;
 }
 

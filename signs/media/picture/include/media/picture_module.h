@@ -27,6 +27,13 @@ enum class PictureFormat { kPng, kGif };
 Result<Picture> decode_picture(std::span<const uint8_t> bytes, PictureFormat format, int subimage,
                                const std::string& name);
 
+enum class ImageFormat { kPng, kJpeg };
+/// An image with transparency, as figures bring them: 0xAARRGGBB, sRGB-encoded, colours not multiplied by alpha, the
+/// top row first. kLimit beyond `max_pixels`. A JPEG's pixels are those of the installed library, which other versions
+/// may round otherwise.
+Result<Picture> decode_image(std::span<const uint8_t> bytes, ImageFormat format, size_t max_pixels,
+                             const std::string& name);
+
 /// An animated GIF in memory. Bytes come out as frames go in.
 class GifEncoder {
  public:
