@@ -2,3 +2,4 @@
 foreach(test elementary rotation interpolate skeleton anatomy limits arm_ik surface body_model skinned_model atomic_file humanoid)
   auslan_test(kinematics_${test} LABEL unit LIBRARIES auslan::kinematics)
 endforeach()
+auslan_test(signing_avatar LABEL unit LIBRARIES auslan::kinematics)

@@ -5,6 +5,7 @@ if(NOT TARGET auslanjam)
 endif()
 auslan_test(programs_frame_maker LABEL unit
   SOURCES unit/programs_frame_maker_test.cpp ${PROJECT_SOURCE_DIR}/signs/programs/src/frame_maker.cpp
+    ${PROJECT_SOURCE_DIR}/signs/programs/src/body.cpp
   LIBRARIES auslan::caption auslan::lexicon auslan::picture auslan::stage auslan::synthesis auslan::translate)
 target_include_directories(programs_frame_maker_test PRIVATE ${PROJECT_SOURCE_DIR}/signs/programs/src)
 add_dependencies(programs_frame_maker_test auslan_baked_figure auslan_built_lexicon)

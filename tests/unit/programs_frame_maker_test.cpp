@@ -51,7 +51,7 @@ class Frames : public testing::TestWithParam<Case> {
     options_.stage.flat = GetParam().flat;
     options_.caption = GetParam().caption;
   }
-  FrameMaker maker() const { return FrameMaker::build(shipped().figure, show_, options_).value(); }
+  FrameMaker maker() const { return FrameMaker::build({.figure = &shipped().figure}, show_, options_).value(); }
   Picture picture() const { return make_picture(300, 240, 0x123456); }
 
   Show show_;

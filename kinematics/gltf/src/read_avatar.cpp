@@ -284,7 +284,7 @@ bool is_ancestor(const Avatar& avatar, int above, int node) {
 void guess_roles(Avatar& avatar) {
   std::vector<NodeName> names;
   for (const AvatarNode& node : avatar.nodes)
-    names.push_back({.name = node.name, .is_bone = node.mesh < 0});
+    names.push_back({.name = node.name, .is_bone = node.mesh < 0 || node.skin < 0});
   const NamedHumanoid named = humanoid_from_names(names);
   if (named.rig.empty()) return;
   const bool has_map = std::ranges::any_of(avatar.human_node, [](int node) { return node != kNoNode; });

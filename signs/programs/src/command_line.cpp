@@ -89,7 +89,13 @@ void add_source(CLI::App& app, Options& options) {
       ->type_name("STRING");
 }
 
+void add_figure(CLI::App& app, Options& options) {
+  app.add_option("--avatar", options.avatar, "Another figure: any humanoid in .vrm, .glb or .gltf, or a baked .figure")
+      ->type_name("FILE");
+}
+
 void add_performance(CLI::App& app, Options& options) {
+  add_figure(app, options);
   add_parsed(app, "--fps", "Frames a second (25)", "N",
              [&options](const std::string& text) { return parse_int(text, 1, 240, options.fps); });
   add_parsed(app, "--speed", "Of the signing: 0.5 is half as fast (1)", "X",
@@ -101,7 +107,6 @@ void add_performance(CLI::App& app, Options& options) {
     if (result.ec == std::errc() && result.ptr == text.data() + text.size()) return std::string();
     return "takes a whole number, not \"" + text + "\"";
   });
-  app.add_option("--avatar", options.avatar, "Another figure (.glb, .gltf or a baked .figure)")->type_name("FILE");
   add_parsed(app, "--at", "Only the frame at this time", "SECONDS", [&options](const std::string& text) {
     double at = 0;
     std::string wrong = parse_number(text, 0.0, 86400.0, at);
@@ -158,6 +163,7 @@ void add_picture(CLI::App& app, Options& options) {
 
 void add_bench(CLI::App& app, Options& options) {
   app.add_option("TEXT", options.source.text, "English to sign; quote it (\"Where does it hurt?\")");
+  add_figure(app, options);
   add_frame_form(app, options);
   add_parsed(
       app, "--threads", "How many threads share the work of a frame (1)", "N",

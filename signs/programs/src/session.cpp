@@ -69,11 +69,6 @@ Result<TranslatorData> translator_data(const Lexicon& lexicon) {
 
 }  // namespace
 
-Result<Stage> Body::stage(const StageOptions& options) const {
-  if (avatar == nullptr) return Stage::build(*figure, options);
-  return Stage::build(*figure, make_avatar_model(*avatar, pictures), options);
-}
-
 Result<void> Session::load_avatar() {
   auto avatar = read_avatar(options_.avatar);
   if (!avatar) return tl::unexpected(avatar.error());
@@ -92,8 +87,9 @@ Result<void> Session::load_avatar() {
 Result<const Figure*> Session::figure() {
   if (avatar_) return &avatar_->figure;
   if (figure_) return figure_.get();
-  const bool foreign =
-      ends_with(options_.avatar, ".glb") || ends_with(options_.avatar, ".gltf") || ends_with(options_.avatar, ".vrm");
+  std::string name = options_.avatar;
+  std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const bool foreign = ends_with(name, ".glb") || ends_with(name, ".gltf") || ends_with(name, ".vrm");
   // A figure of our own form keeps its smooth joints; everything else is a foreign avatar.
   auto figure = foreign ? read_gltf(options_.avatar)
                         : read_figure(options_.avatar.empty() ? data_file("signer.figure")

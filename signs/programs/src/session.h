@@ -2,12 +2,10 @@
 // What the commands work with: the figure, the lexicon and the translator, each opened when first needed.
 #pragma once
 
-#include "kinematics/avatar_model.h"
-#include "kinematics/figure.h"
+#include "body.h"
 #include "kinematics/result.h"
 #include "lexicon/lexicon.h"
 #include "options.h"
-#include "stage/stage.h"
 #include "synthesis/performance.h"
 #include "synthesis/signer.h"
 #include "synthesis/utterance.h"
@@ -16,7 +14,6 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -31,16 +28,6 @@ struct Show {
   std::vector<int> sentence_of_gloss;  ///< by index into glosses
   bool reviewed = false;               ///< every entry in it has been approved by a Deaf reviewer
   std::vector<std::string> warnings;
-};
-
-/// What signs: the built-in figure, one that was baked, or a foreign avatar.
-struct Body {
-  const Figure* figure = nullptr;
-  const SigningAvatar* avatar = nullptr;  ///< null: the figure's own segments are drawn
-  std::span<const AvatarPicture> pictures;
-
-  /// A stage of this body. The body outlives it.
-  Result<Stage> stage(const StageOptions& options) const;
 };
 
 class Session {

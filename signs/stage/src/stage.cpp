@@ -112,15 +112,10 @@ Stage::Stage(Stage&&) noexcept = default;
 Stage& Stage::operator=(Stage&&) noexcept = default;
 Stage::~Stage() = default;
 
-Result<Stage> Stage::build(const Figure& figure, const StageOptions& options) {
-  return build(figure,
-               options.flat    ? make_rigid_flat(figure)
-               : options.rigid ? make_rigid_gouraud(figure)
-                               : make_skinned(figure),
-               options);
-}
+namespace {
 
-Result<Stage> Stage::build(const Figure& figure, std::unique_ptr<BodyModel> model, const StageOptions& options) {
+/// The options with a kernel, or what is wrong with them.
+Result<StageOptions> checked(const StageOptions& options) {
   const bool size_ok = options.width >= 1 && options.width <= raster::kMaxImageSize && options.height >= 1 &&
                        options.height <= raster::kMaxImageSize;
   if (!size_ok) return fail(ErrorCode::kUsage, "the picture's width and height must lie between 1 and 16384 pixels");
@@ -136,7 +131,25 @@ Result<Stage> Stage::build(const Figure& figure, std::unique_ptr<BodyModel> mode
     return fail(ErrorCode::kUsage,
                 "AUSLANJAM_KERNEL names no kernel of the rasteriser that runs here; unset it, or take one of:" + names);
   }
-  return Stage(figure, std::move(model), chosen);
+  return chosen;
+}
+
+}  // namespace
+
+Result<Stage> Stage::build(const Figure& figure, const StageOptions& options) {
+  const auto chosen = checked(options);
+  if (!chosen) return tl::unexpected(chosen.error());
+  return Stage(figure,
+               options.flat    ? make_rigid_flat(figure)
+               : options.rigid ? make_rigid_gouraud(figure)
+                               : make_skinned(figure),
+               *chosen);
+}
+
+Result<Stage> Stage::build(const Figure& figure, std::unique_ptr<BodyModel> model, const StageOptions& options) {
+  const auto chosen = checked(options);
+  if (!chosen) return tl::unexpected(chosen.error());
+  return Stage(figure, std::move(model), *chosen);
 }
 
 void Stage::render(const Pose& pose, std::span<uint32_t> pixels, raster::Canvas canvas) {

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "body.h"
+
+namespace auslan {
+
+Result<Stage> Body::stage(const StageOptions& options) const {
+  if (avatar == nullptr) return Stage::build(*figure, options);
+  return Stage::build(*figure, make_avatar_model(*avatar, pictures), options);
+}
+
+}  // namespace auslan
