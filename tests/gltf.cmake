@@ -7,6 +7,8 @@ if(TARGET auslan::gltf)
   foreach(test gltf_round_trip gltf_reader gltf_hostile avatar_reader avatar_hostile avatar_samples)
     auslan_test(${test} LABEL unit LIBRARIES auslan::gltf nlohmann_json::nlohmann_json)
   endforeach()
+  auslan_test(signing_avatar_samples LABEL unit LIBRARIES auslan::gltf auslan::lexicon auslan::synthesis)
+  add_dependencies(signing_avatar_samples_test auslan_baked_figure auslan_built_lexicon)
   auslan_test(gltf_bake LABEL unit LIBRARIES auslan::gltf nlohmann_json::nlohmann_json
     DEFINITIONS AUSLANJAM_BAKE="$<TARGET_FILE:auslan-bake>")
   add_dependencies(gltf_bake_test auslan-bake)
