@@ -21,8 +21,8 @@ constexpr double kPalmReach = 0.045;
 // A hand that is `near` a place keeps this distance, metres.
 constexpr double kNearDistance = 0.015;
 // Where the natural elbow would put the forearm into the trunk, the arm swings about the line from shoulder to wrist
-// until it is clear. Radii in metres; the forearm may press into the shirt a little.
-constexpr double kElbowRadius = 0.045, kWristRadius = 0.028, kTolerable = 0.012;
+// until it is clear. Radii in metres.
+constexpr double kElbowRadius = 0.045, kWristRadius = 0.028;
 constexpr int kSwivelSteps = 28;
 constexpr double kSwivelStep = 5.0 * kDegree;
 
@@ -91,21 +91,22 @@ HandState mirrored(const HandState& state) {
   return image;
 }
 
-Signer::Signer(const Figure& figure, BodySites body, std::array<HandSites, 2> hands)
+Signer::Signer(const Figure& figure, const FigureTraits& traits, BodySites body, std::array<HandSites, 2> hands)
     : figure_(&figure),
+      traits_(traits),
       body_(std::move(body)),
       hands_(std::move(hands)),
       trunk_(TrunkProfile::measure(figure)),
       frames_{rest_hand_frame(figure.skeleton, Side::kLeft), rest_hand_frame(figure.skeleton, Side::kRight)} {}
 
-Result<Signer> Signer::build(const Figure& figure, const std::optional<FaceLandmarks>& face) {
-  auto body = BodySites::build(figure, face);
+Result<Signer> Signer::build(const Figure& figure, const FigureTraits& traits) {
+  auto body = BodySites::build(figure, traits.face);
   if (!body) return tl::unexpected(body.error());
   auto left = HandSites::build(figure, Side::kLeft);
   if (!left) return tl::unexpected(left.error());
   auto right = HandSites::build(figure, Side::kRight);
   if (!right) return tl::unexpected(right.error());
-  return Signer(figure, std::move(*body), {std::move(*left), std::move(*right)});
+  return Signer(figure, traits, std::move(*body), {std::move(*left), std::move(*right)});
 }
 
 ArmPlacement Signer::place_arm(Side side, const HandState& state) const {
@@ -268,7 +269,7 @@ double Signer::swivel_for(Side side, const Transform& world_from_wrist) const {
     return deepest;
   };
   double best = natural, least = depth(natural);
-  for (int step = 1; step <= kSwivelSteps && least > kTolerable; ++step) {
+  for (int step = 1; step <= kSwivelSteps && least > traits_.trunk_gives; ++step) {
     for (const double sign : {1.0, -1.0}) {
       const double swivel = natural + sign * step * kSwivelStep;
       const double found = depth(swivel);

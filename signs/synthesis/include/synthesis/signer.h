@@ -40,11 +40,17 @@ HandAngles hand_angles(const Handshape& handshape);
 /// The mirror image in the plane x = 0.
 HandState mirrored(const HandState& state);
 
+/// What a signer cannot tell from a figure's segments.
+struct FigureTraits {
+  std::optional<FaceLandmarks> face;  ///< as in BodySites::build
+  /// How deep a forearm may press into the trunk before the elbow gives way, metres: into a shirt.
+  double trunk_gives = 0.012;
+};
+
 class Signer {
  public:
-  /// kUnsupported where a body part that signs need has no surface. The figure must outlive the signer. `face` as in
-  /// BodySites::build.
-  static Result<Signer> build(const Figure& figure, const std::optional<FaceLandmarks>& face = std::nullopt);
+  /// kUnsupported where a body part that signs need has no surface. The figure must outlive the signer.
+  static Result<Signer> build(const Figure& figure, const FigureTraits& traits = {});
 
   const Figure& figure() const { return *figure_; }
   const BodySites& body() const { return body_; }
@@ -66,7 +72,7 @@ class Signer {
   HandState rest(Side side) const;
 
  private:
-  Signer(const Figure& figure, BodySites body, std::array<HandSites, 2> hands);
+  Signer(const Figure& figure, const FigureTraits& traits, BodySites body, std::array<HandSites, 2> hands);
   /// Radians by which the arm breaks its joint limits to put the hand there, over shoulder, elbow and wrist.
   double strain(Side side, const HandState& state) const;
   /// Puts the hand's `part` (wrist frame) on `target`, leaning from the wanted orientation as far as the joint limits
@@ -77,6 +83,7 @@ class Signer {
                   const Vec3& offset) const;
 
   const Figure* figure_;
+  FigureTraits traits_;
   BodySites body_;
   std::array<HandSites, 2> hands_;
   TrunkProfile trunk_;
