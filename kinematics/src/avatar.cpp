@@ -201,6 +201,16 @@ void drive_face(Avatar& avatar) {
     for (const AvatarExpression& expression : avatar.expressions)
       if (expression.name == stand.expression) drive_by_expression(expression, is_half ? 0.5 : 1.0, drive);
   }
+  const auto by_bone = [&](HumanRole role, std::initializer_list<FaceChannel> channels) {
+    const int node = avatar.node_of(role);
+    if (node == kNoNode) return;
+    for (const FaceChannel channel : channels)
+      if (FaceDrive& drive = avatar.face[static_cast<size_t>(channel)]; drive.means == FaceDrive::Means::kNone)
+        drive = {.means = FaceDrive::Means::kBone, .source = avatar.nodes[static_cast<size_t>(node)].name, .binds = {}};
+  };
+  by_bone(HumanRole::kLeftEye, {kEyeLookUpLeft, kEyeLookDownLeft, kEyeLookInLeft, kEyeLookOutLeft});
+  by_bone(HumanRole::kRightEye, {kEyeLookUpRight, kEyeLookDownRight, kEyeLookInRight, kEyeLookOutRight});
+  by_bone(HumanRole::kJaw, {kJawOpen});
   for (const FaceChannel lips : {kMouthPucker, kMouthFunnel, kMouthStretchLeft, kMouthStretchRight})
     if (FaceDrive& drive = avatar.face[static_cast<size_t>(lips)]; drive.means == FaceDrive::Means::kExpression)
       leave_jaw_out(avatar.face[static_cast<size_t>(kJawOpen)], drive);

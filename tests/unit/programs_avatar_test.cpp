@@ -43,6 +43,7 @@ TEST_F(AvatarCommand, TellsTheSameAsJson) {
   EXPECT_EQ(told["bones"]["spine"], (json{{"node", "Spine"}, {"by_name", false}}));
   EXPECT_EQ(told["bones"].size() + told["missing_bones"].size(), static_cast<size_t>(kHumanRoleCount));
   EXPECT_EQ(told["missing_for_signing"].size(), 37U);
+  EXPECT_EQ(told["signs"], false);
   EXPECT_EQ(told["face"]["jawOpen"], (json{{"by", "morph"}, {"source", "jawOpen"}}));
   EXPECT_EQ(told["face"]["tongueOut"]["by"], "none");
   EXPECT_EQ(told["expressions"][0]["morphs"][0]["weight"], 0.75);

@@ -168,6 +168,16 @@ case_foreign_figures() {
     run avatar "$in/loop.gltf" --json && refused 1 'ancestor'
   printf '{"extras":%s' "$(head -c 20000 /dev/zero | tr '\0' '[')" >"$in/deep.gltf"
   run avatar "$in/deep.gltf" && refused 1 'deep\.gltf.*nested'
+  # The same with --avatar; and figures that can be read but cannot sign.
+  run render --gloss HURT "${picture[@]}" --avatar nowhere.vrm && refused 1 'nowhere\.vrm'
+  run render --gloss HURT "${picture[@]}" --avatar "$in/cube.glb" && refused 1 'cube\.glb.*glTF'
+  run render --gloss HURT "${picture[@]}" --avatar "$in/loop.gltf" && refused 1 'ancestor'
+  triangle='"asset":{"version":"2.0"},"buffers":[{"uri":"data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA","byteLength":36}],"bufferViews":[{"buffer":0,"byteLength":36}],"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}]'
+  printf '{%s,"nodes":[{"mesh":0}]}' "$triangle" >"$in/triangle.gltf"
+  run render --gloss HURT "${picture[@]}" --avatar "$in/triangle.gltf" && refused 1 'triangle\.gltf.*no humanoid'
+  printf '{%s,"nodes":[{"mesh":0},{"name":"Hips"},{"name":"Spine"},{"name":"Neck"},{"name":"Head"}]}' "$triangle" \
+    >"$in/armless.gltf"
+  run render --gloss HURT "${picture[@]}" --avatar "$in/armless.gltf" && refused 1 'lacks.*leftUpperArm'
   printf 'glTF' >"$in/huge.glb" && truncate -s 65M "$in/huge.glb" && run avatar "$in/huge.glb" && refused 1 'huge\.glb'
 }
 

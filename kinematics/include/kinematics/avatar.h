@@ -105,10 +105,10 @@ struct AvatarExpression {
 
 /// How a channel of the face can be moved.
 struct FaceDrive {
-  enum class Means : uint8_t { kNone, kMorph, kExpression };
+  enum class Means : uint8_t { kNone, kMorph, kExpression, kBone };
   Means means = Means::kNone;
-  std::string source;            ///< the name of the morph target or of the expression
-  std::vector<MorphBind> binds;  ///< at weight 1 of the channel
+  std::string source;            ///< the name of the morph target, of the expression or of the bone
+  std::vector<MorphBind> binds;  ///< at weight 1 of the channel; none for a bone
 };
 
 struct Avatar {
@@ -144,7 +144,8 @@ inline constexpr double kMaxAvatarExtent = 1e6;
 size_t triangle_count(const Avatar& avatar);
 
 /// Fills `face` from morph targets that bear ARKit's names, else those of MakeHuman, VRoid or Oculus' visemes, and for
-/// channels that have none from the expressions, of which some are rough (the jaw opens with "aa").
+/// channels that have none from the expressions, of which some are rough (the jaw opens with "aa"); gaze and jaw, where
+/// even those are missing, from the bones of eyes and jaw.
 void drive_face(Avatar& avatar);
 
 }  // namespace auslan

@@ -4,6 +4,7 @@
 #include "gltf/avatar_gltf.h"
 #include "kinematics/avatar_pose.h"
 #include "kinematics/elementary.h"
+#include "kinematics/signing_avatar.h"
 
 #include <algorithm>
 #include <cmath>
@@ -45,6 +46,8 @@ std::string_view name_of(FaceDrive::Means means) {
       return "morph";
     case FaceDrive::Means::kExpression:
       return "expression";
+    case FaceDrive::Means::kBone:
+      return "bone";
     default:
       return "none";
   }
@@ -205,7 +208,7 @@ std::string bones_text(const Avatar& avatar) {
 std::string face_text(const Avatar& avatar) {
   std::string text;
   for (const FaceDrive::Means means :
-       {FaceDrive::Means::kMorph, FaceDrive::Means::kExpression, FaceDrive::Means::kNone}) {
+       {FaceDrive::Means::kMorph, FaceDrive::Means::kExpression, FaceDrive::Means::kBone, FaceDrive::Means::kNone}) {
     std::vector<std::string> channels;
     for (size_t c = 0; c < kFaceChannelCount; ++c) {
       if (avatar.face[c].means != means) continue;
@@ -216,6 +219,7 @@ std::string face_text(const Avatar& avatar) {
     if (channels.empty()) continue;
     text += line(means == FaceDrive::Means::kMorph        ? "by morph"
                  : means == FaceDrive::Means::kExpression ? "by expression"
+                 : means == FaceDrive::Means::kBone       ? "by bone"
                                                           : "missing",
                  joined(channels));
   }
@@ -223,6 +227,16 @@ std::string face_text(const Avatar& avatar) {
   for (const AvatarExpression& expression : avatar.expressions)
     expressions.push_back(shown(expression.name) + (expression.binds.empty() ? " (moves nothing)" : ""));
   if (!expressions.empty()) text += line("expressions", joined(expressions));
+  return text;
+}
+
+/// What comes of `--avatar FILE`.
+std::string signing_text(const Avatar& avatar) {
+  const auto fitted = fit_avatar(avatar);
+  if (!fitted) return "  no: " + shown(fitted.error().message, 200) + "\n";
+  std::string text = "  it signs: auslanjam render TEXT --avatar FILE -o OUT\n";
+  for (const std::string& warning : fitted->warnings)
+    text += "  but " + shown(warning, 200) + "\n";
   return text;
 }
 
@@ -256,15 +270,16 @@ std::string avatar_text(const std::string& file, const Avatar& avatar) {
            : avatar.kind == Avatar::Kind::kGltf ? ", told from names as in " + avatar.rig
                                                 : ", gaps filled from names as in " + avatar.rig) +
           "\n" + bones_text(avatar);
-  const size_t exact = count_of(avatar, FaceDrive::Means::kMorph);
   const size_t rough = count_of(avatar, FaceDrive::Means::kExpression);
-  text += "Face: " + std::to_string(exact + rough) + " of " + counted(kFaceChannelCount, "channel", "channels") +
+  text += "Face: " + std::to_string(kFaceChannelCount - count_of(avatar, FaceDrive::Means::kNone)) + " of " +
+          counted(kFaceChannelCount, "channel", "channels") +
           (rough == 0 ? "" : ", " + std::to_string(rough) + " of them by expressions that move more than the channel") +
           "\n" + face_text(avatar);
   const std::vector<std::string> lacking = lacking_for_signs(avatar);
   text += "For signing: ";
   text += lacking.empty() ? "head, arms and all fingers are there\n"
                           : counted(lacking.size(), "joint is", "joints are") + " missing: " + joined(lacking) + "\n";
+  text += signing_text(avatar);
   for (const std::string& warning : avatar.warnings)
     text += "Note: " + shown(warning, 200) + "\n";
   return text;
@@ -301,6 +316,9 @@ Json avatar_json(const std::string& file, const Avatar& avatar) {
           {"by_name", avatar.kind == Avatar::Kind::kGltf || avatar.is_guessed[r]}};
   }
   json["missing_for_signing"] = lacking_for_signs(avatar);
+  const auto fitted = fit_avatar(avatar);
+  json["signs"] = fitted.has_value();
+  json["signing_notes"] = fitted ? fitted->warnings : std::vector<std::string>{fitted.error().message};
   json["face"] = Json::object();
   for (size_t c = 0; c < kFaceChannelCount; ++c)
     json["face"][std::string(kFaceChannelNames[c])] = {{"by", name_of(avatar.face[c].means)},

@@ -90,7 +90,9 @@ void add_source(CLI::App& app, Options& options) {
 }
 
 void add_figure(CLI::App& app, Options& options) {
-  app.add_option("--avatar", options.avatar, "Another figure: any humanoid in .vrm, .glb or .gltf, or a baked .figure")
+  app.add_option("--avatar", options.avatar,
+                 "Another figure signs: any humanoid in .vrm, .glb or .gltf, of any size and rest pose, or a baked "
+                 ".figure. `auslanjam avatar FILE` tells what it can do")
       ->type_name("FILE");
 }
 
@@ -197,19 +199,23 @@ void add_bench(CLI::App& app, Options& options) {
 void add_avatar(CLI::App& app, Options& options) {
   app.add_option("FILE", options.avatar, "A humanoid in .vrm, .glb or .gltf")->required();
   app.footer(
-      "Tells what a figure of another maker has and what it lacks. It is not signed with yet.\n"
+      "Tells what a figure of another maker has and what it lacks. `--avatar FILE` of sign, render, motion and bench\n"
+      "signs with it: its bones are turned into a T-pose, and signs are solved on its own proportions and skin.\n"
       "  Bones  who plays which part, named as VRM 1.0 names them. A VRM says so itself; elsewhere, and where a VRM "
       "has\n"
       "         gaps, the names of nodes tell: those of Mixamo, Ready Player Me, Unreal, MakeHuman, Rigify, VRoid,\n"
-      "         3ds Max, Character Creator and WebXR hands are known. Signing needs the head, both arms and three "
-      "joints of every finger.\n"
+      "         3ds Max, Character Creator and WebXR hands are known. Signing needs the head, both arms and both "
+      "hands; fingers that are missing are left out of the picture, and told.\n"
       "  Face   the channels that signing uses, named as ARKit names them: by a morph target of that name (or of\n"
-      "         MakeHuman, VRoid or Oculus) or, roughly, by an expression that moves more than the channel.\n"
+      "         MakeHuman, VRoid or Oculus), roughly by an expression that moves more than the channel, or by the "
+      "bones\n"
+      "         of eyes and jaw.\n"
       "  Note   what will look or move otherwise than its maker meant.\n"
       "A figure with gaps is no error; a file that is broken, or holds nothing to draw, is.\n"
       "Examples:\n"
       "  auslanjam avatar figure.vrm\n"
-      "  auslanjam avatar figure.glb --json");
+      "  auslanjam avatar figure.glb --json\n"
+      "  auslanjam render \"Where does it hurt?\" --avatar figure.vrm -o hurt.mp4");
 }
 
 void add_common(CLI::App& app, Options& options) {
