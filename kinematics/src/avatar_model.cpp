@@ -34,16 +34,8 @@ glm::u8vec4 product(const glm::u8vec4& a, const glm::u8vec4& b) {
   return {product(a.x, b.x), product(a.y, b.y), product(a.z, b.z), product(a.w, b.w)};
 }
 
-/// The texel at a place, the image repeated.
-glm::u8vec4 texel(const AvatarPicture& picture, const glm::vec2& place) {
-  const auto index = [](float at, int size) {
-    const double t = static_cast<double>(at) - std::floor(static_cast<double>(at));
-    return static_cast<size_t>(std::clamp(static_cast<int>(t * size), 0, size - 1));
-  };
-  // Coordinates of a hostile file may be anything.
-  if (!std::isfinite(place.x) || !std::isfinite(place.y)) return {255, 255, 255, 255};
-  return picture
-      .pixels[index(place.y, picture.height) * static_cast<size_t>(picture.width) + index(place.x, picture.width)];
+glm::vec2 placed(const ImagePlacement& placement, const glm::vec2& place) {
+  return placement.origin + placement.x_axis * place.x + placement.y_axis * place.y;
 }
 
 /// Vertices of a part of the avatar that are drawn as one mesh.
@@ -52,6 +44,10 @@ struct Piece {
   std::vector<uint32_t> source;  ///< of each vertex: its index in the part
   std::vector<uint32_t> indices;
   std::vector<glm::u8vec4> colours;
+  std::vector<glm::vec2> coordinates;  ///< empty without an image
+  int image = -1;
+  ImageWrap wrap_u = ImageWrap::kRepeat, wrap_v = ImageWrap::kRepeat;
+  float alpha_cutoff = 0.0F;
   std::vector<glm::vec3> positions, normals;
   bool is_back = false;  ///< the back of a surface that is seen from both sides
   uint64_t revision = 1;
@@ -59,7 +55,7 @@ struct Piece {
 
 class AvatarModel final : public BodyModel {
  public:
-  AvatarModel(const SigningAvatar& avatar, std::span<const AvatarPicture> pictures)
+  explicit AvatarModel(const SigningAvatar& avatar)
       : avatar_(avatar),
         poser_(avatar.avatar),
         rest_weights_(rest_pose(avatar.avatar).morph_weights),
@@ -75,7 +71,7 @@ class AvatarModel final : public BodyModel {
     poser_.place(avatar.world_from_node, rest_weights_);
     const std::vector<fit::Skin> skins = fit::main_drivers(avatar.avatar, poser_.parts(), avatar.driver);
     for (size_t p = 0; p < poser_.parts().size(); ++p)
-      cut(p, skins[p], pictures);
+      cut(p, skins[p]);
     std::ranges::stable_sort(pieces_, {}, &std::pair<int, Piece>::first);
     // Only now: the vectors must stay where the views point.
     for (auto& [node, piece] : pieces_)
@@ -83,7 +79,12 @@ class AvatarModel final : public BodyModel {
                         .positions = piece.positions,
                         .normals = piece.normals,
                         .colours = piece.colours,
-                        .indices = piece.indices});
+                        .indices = piece.indices,
+                        .image = piece.image,
+                        .texture_coordinates = piece.coordinates,
+                        .wrap_u = piece.wrap_u,
+                        .wrap_v = piece.wrap_v,
+                        .alpha_cutoff = piece.alpha_cutoff});
   }
 
   std::span<const PosedMesh> pose(std::span<const Transform> world_from_node, const FaceWeights& face) override {
@@ -127,7 +128,7 @@ class AvatarModel final : public BodyModel {
     return driver == AvatarDriver::kGround ? 0 : 2;
   }
 
-  void cut(size_t part_index, const fit::Skin& skin, std::span<const AvatarPicture> pictures) {
+  void cut(size_t part_index, const fit::Skin& skin) {
     const AvatarPoser::Part& part = poser_.parts()[part_index];
     const AvatarMesh& mesh = avatar_.avatar.meshes[static_cast<size_t>(part.mesh)];
     const AvatarVertices& vertices = mesh.vertices[static_cast<size_t>(part.vertices)];
@@ -144,25 +145,29 @@ class AvatarModel final : public BodyModel {
         list.insert(list.end(), surface.indices.begin() + static_cast<std::ptrdiff_t>(i),
                     surface.indices.begin() + static_cast<std::ptrdiff_t>(i) + 3);
       }
-      const AvatarPicture* picture = nullptr;
-      if (surface.image >= 0 && static_cast<size_t>(surface.image) < pictures.size() &&
-          !pictures[static_cast<size_t>(surface.image)].pixels.empty() &&
-          vertices.texture_coordinates.size() == vertices.positions.size())
-        picture = &pictures[static_cast<size_t>(surface.image)];
+      const bool has_image = surface.image >= 0 && vertices.texture_coordinates.size() == vertices.positions.size();
       const glm::u8vec4 base(srgb_level(surface.base_colour.x), srgb_level(surface.base_colour.y),
                              srgb_level(surface.base_colour.z), 255);
       for (const auto& [node, list] : by_node) {
         Piece piece;
         piece.part = part_index;
+        piece.image = has_image ? surface.image : -1;
+        piece.wrap_u = surface.wrap_u;
+        piece.wrap_v = surface.wrap_v;
+        // What lets light through is drawn where more than half of it is there. Of the image's alpha alone: what is
+        // drawn has some of its own.
+        constexpr float kHalfThere = 0.5F;
+        const float cutoff = surface.alpha_cutoff.value_or(surface.is_transparent ? kHalfThere : 0.0F);
+        piece.alpha_cutoff = cutoff > 0.0F ? cutoff / surface.base_colour.w : 0.0F;
         for (const uint32_t vertex : list) {
           if (local[vertex] == kNone) {
             local[vertex] = static_cast<uint32_t>(piece.source.size());
             piece.source.push_back(vertex);
             glm::u8vec4 colour = base;
             if (!vertices.colours.empty()) colour = product(colour, vertices.colours[vertex]);
-            if (picture != nullptr) colour = product(colour, texel(*picture, vertices.texture_coordinates[vertex]));
             colour.w = 255;
             piece.colours.push_back(colour);
+            if (has_image) piece.coordinates.push_back(placed(surface.placement, vertices.texture_coordinates[vertex]));
           }
           piece.indices.push_back(local[vertex]);
         }
@@ -271,8 +276,8 @@ class AvatarModel final : public BodyModel {
 
 }  // namespace
 
-std::unique_ptr<BodyModel> make_avatar_model(const SigningAvatar& avatar, std::span<const AvatarPicture> pictures) {
-  return std::make_unique<AvatarModel>(avatar, pictures);
+std::unique_ptr<BodyModel> make_avatar_model(const SigningAvatar& avatar) {
+  return std::make_unique<AvatarModel>(avatar);
 }
 
 }  // namespace auslan

@@ -189,7 +189,8 @@ class Profile {
 
 bool is_shown(const AvatarSurface& surface) {
   constexpr float kLeastAlpha = 0.1F;
-  return !surface.is_transparent || surface.base_colour.w >= kLeastAlpha;
+  if (surface.is_transparent && surface.base_colour.w < kLeastAlpha) return false;
+  return surface.base_colour.w >= surface.alpha_cutoff.value_or(0.0F);
 }
 
 void cut_surface(SigningAvatar& fitted, std::span<const AvatarPoser::Part> parts, std::span<const Skin> skins) {

@@ -28,7 +28,7 @@ void sign(const auslan::Avatar& avatar) {
     rotation = auslan::Quat(0.8, 0.0, 0.6, 0.0);
   pose.face.fill(1.0F);
   auslan::forward(skeleton, pose, world);
-  for (const auslan::PosedMesh& mesh : auslan::make_avatar_model(*fitted, {})->pose(world, pose.face))
+  for (const auslan::PosedMesh& mesh : auslan::make_avatar_model(*fitted)->pose(world, pose.face))
     for (const uint32_t index : mesh.indices)
       if (index >= mesh.positions.size() || mesh.colours.size() != mesh.positions.size()) std::abort();
 }

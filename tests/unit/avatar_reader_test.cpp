@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <climits>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <string>
 #include <tuple>
@@ -240,20 +241,46 @@ TEST(AvatarReader, BindsAndImagesThatLeadNowhereOnlyWarn) {
 TEST(AvatarReader, ImagesWrapAsTheirSamplersSay) {
   GlbDocument document = tiny_avatar();
   const auto surface = [&document] { return read(document).meshes.at(0).surfaces.at(0); };
-  EXPECT_EQ(surface().wrap_u, AvatarWrap::kRepeat) << "glTF's default";
-  EXPECT_EQ(surface().wrap_v, AvatarWrap::kRepeat);
+  EXPECT_EQ(surface().wrap_u, ImageWrap::kRepeat) << "glTF's default";
+  EXPECT_EQ(surface().wrap_v, ImageWrap::kRepeat);
   document.json["textures"][0]["sampler"] = 0;
   document.json["samplers"] = {{{"wrapS", 33071}, {"wrapT", 33648}}};
-  EXPECT_EQ(surface().wrap_u, AvatarWrap::kClamp);
-  EXPECT_EQ(surface().wrap_v, AvatarWrap::kMirroredRepeat);
+  EXPECT_EQ(surface().wrap_u, ImageWrap::kClamp);
+  EXPECT_EQ(surface().wrap_v, ImageWrap::kMirroredRepeat);
   document.json["samplers"] = {{{"wrapS", 10497}}};
-  EXPECT_EQ(surface().wrap_u, AvatarWrap::kRepeat);
-  EXPECT_EQ(surface().wrap_v, AvatarWrap::kRepeat);
+  EXPECT_EQ(surface().wrap_u, ImageWrap::kRepeat);
+  EXPECT_EQ(surface().wrap_v, ImageWrap::kRepeat);
   for (const int bad : {0, -1, 33070, INT_MAX}) {
     document.json["samplers"] = {{{"wrapT", bad}}};
     const auto refused = parse_avatar_text(document.pack());
     ASSERT_FALSE(refused) << bad;
     EXPECT_EQ(refused.error().code, ErrorCode::kMalformed);
+  }
+}
+
+// KHR_texture_transform: scaled, then turned counter-clockwise on the image (v runs down), then moved.
+TEST(AvatarReader, ImagesAreScaledTurnedAndMoved) {
+  GlbDocument document = tiny_avatar();
+  auto& info = document.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"];
+  info["extensions"]["KHR_texture_transform"] = {
+      {"offset", {0.5, 0.25}}, {"rotation", 1.5707963267948966}, {"scale", {2, 4}}};
+  const ImagePlacement placement = read(document).meshes.at(0).surfaces.at(0).placement;
+  EXPECT_EQ(placement.origin, glm::vec2(0.5F, 0.25F));
+  EXPECT_NEAR(placement.x_axis.x, 0.0F, 1e-6F);
+  EXPECT_NEAR(placement.x_axis.y, -2.0F, 1e-6F);
+  EXPECT_NEAR(placement.y_axis.x, 4.0F, 1e-6F);
+  EXPECT_NEAR(placement.y_axis.y, 0.0F, 1e-6F);
+  // It may choose other coordinates, of which there are none here.
+  info["extensions"]["KHR_texture_transform"] = {{"texCoord", 1}};
+  EXPECT_TRUE(read(document).meshes.at(0).vertices.at(0).texture_coordinates.empty());
+  info["extensions"]["KHR_texture_transform"] = {{"texCoord", 99}};
+  EXPECT_FALSE(parse_avatar_text(document.pack()));
+  for (const auto& odd : {nlohmann::json{{"offset", 3}}, nlohmann::json{{"scale", {1e300, "x"}}},
+                          nlohmann::json{{"rotation", 1e300}}, nlohmann::json::array({1, 2})}) {
+    info["extensions"]["KHR_texture_transform"] = odd;
+    const auto odd_one = parse_avatar_text(document.pack());
+    ASSERT_TRUE(odd_one) << odd.dump();
+    EXPECT_LE(std::fabs(odd_one->meshes.at(0).surfaces.at(0).placement.x_axis.x), 1e4F);
   }
 }
 

@@ -56,7 +56,7 @@ class Signs {
     auto fitted = fit_avatar(*std::move(avatar));
     EXPECT_TRUE(fitted) << to_string(fitted.error());
     fitted_ = std::make_unique<SigningAvatar>(*std::move(fitted));
-    model_ = make_avatar_model(*fitted_, {});
+    model_ = make_avatar_model(*fitted_);
     signer_.emplace(Signer::build(fitted_->figure, {.face = fitted_->face}).value());
     pose_ = rest_pose(skeleton());
     world_.resize(static_cast<size_t>(skeleton().size()));

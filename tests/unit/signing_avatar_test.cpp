@@ -195,7 +195,7 @@ TEST(SigningAvatar, TheChinIsFoundUnderHairThatHangsLower) {
 /// The model of a figure in a pose of its skeleton.
 class Posed {
  public:
-  explicit Posed(Avatar source) : avatar_(fitted(std::move(source))), model_(make_avatar_model(avatar_, {})) {
+  explicit Posed(Avatar source) : avatar_(fitted(std::move(source))), model_(make_avatar_model(avatar_)) {
     pose_ = rest_pose(avatar_.figure.skeleton);
     world_.resize(kNodeNames.size());
   }
@@ -363,26 +363,32 @@ TEST(AvatarModel, BothSidesOfADoubleSidedSurfaceFaceOutwards) {
   EXPECT_EQ(corners, 2 * one_sided);
 }
 
-TEST(AvatarModel, AnImageColoursTheVertices) {
+// KHR_texture_transform places coordinates before they are looked up; a colour's own alpha is taken off the cut-off.
+TEST(AvatarModel, AnImageLiesWhereItsMaterialPutsIt) {
   Avatar source = box_avatar();
   AvatarVertices& vertices = source.meshes[0].vertices[0];
-  vertices.texture_coordinates.assign(vertices.positions.size(), glm::vec2(0.75F, 0.25F));
-  vertices.texture_coordinates[0] = glm::vec2(-0.25F, 1.25F);  // the same place, the image repeated
-  vertices.texture_coordinates[1] = glm::vec2(std::nanf(""), 0.0F);
-  source.meshes[0].surfaces[0].image = 0;
-  source.meshes[0].surfaces[0].base_colour = glm::vec4(1.0F);
+  AvatarSurface& surface = source.meshes[0].surfaces[0];
+  vertices.texture_coordinates.assign(vertices.positions.size(), glm::vec2(0.5F, 0.25F));
+  surface.image = 0;
+  surface.wrap_u = ImageWrap::kClamp;
+  surface.wrap_v = ImageWrap::kMirroredRepeat;
+  surface.placement = {
+      .origin = glm::vec2(0.125F, 1.0F), .x_axis = glm::vec2(0.0F, -2.0F), .y_axis = glm::vec2(4.0F, 0.0F)};
+  surface.base_colour = glm::vec4(1.0F, 0.5F, 0.0F, 0.8F);
+  surface.alpha_cutoff = 0.4F;
   source.images.emplace_back();
-  const SigningAvatar avatar = fitted(std::move(source));
-  AvatarPicture picture{.width = 2, .height = 2, .pixels = std::vector<glm::u8vec4>(4, glm::u8vec4(9, 9, 9, 255))};
-  picture.pixels[1] = glm::u8vec4(200, 100, 50, 255);  // the upper right one
-  const auto model = make_avatar_model(avatar, std::span(&picture, 1));
-  std::vector<Transform> world(kNodeNames.size());
-  forward(avatar.figure.skeleton, rest_pose(avatar.figure.skeleton), world);
-  size_t others = 0;
-  for (const PosedMesh& mesh : model->pose(world, {}))
-    others += static_cast<size_t>(std::ranges::count_if(
-        mesh.colours, [](const glm::u8vec4& colour) { return colour != glm::u8vec4(200, 100, 50, 255); }));
-  EXPECT_EQ(others, 1U);  // the one whose coordinates are no number
+  Posed posed(std::move(source));
+  posed.pose();
+  for (const PosedMesh& mesh : posed.meshes()) {
+    EXPECT_EQ(mesh.image, 0);
+    EXPECT_EQ(mesh.wrap_u, ImageWrap::kClamp);
+    EXPECT_EQ(mesh.wrap_v, ImageWrap::kMirroredRepeat);
+    EXPECT_FLOAT_EQ(mesh.alpha_cutoff, 0.5F);
+    ASSERT_EQ(mesh.texture_coordinates.size(), mesh.positions.size());
+    EXPECT_EQ(mesh.texture_coordinates[0], glm::vec2(1.125F, 0.0F));
+    // 188 is the sRGB level of half the light.
+    EXPECT_EQ(mesh.colours[0], glm::u8vec4(255, 188, 0, 255));
+  }
 }
 
 }  // namespace

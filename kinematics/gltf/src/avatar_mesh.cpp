@@ -2,6 +2,7 @@
 #include "avatar_mesh.h"
 
 #include "gltf_format.h"
+#include "kinematics/elementary.h"
 #include "load_model.h"
 
 #include <algorithm>
@@ -214,20 +215,44 @@ Result<std::vector<uint32_t>> read_triangles(const tinygltf::Primitive& primitiv
 }
 
 /// False where glTF (2.0, 5.26) has no such number.
-bool read_wrap(int number, AvatarWrap& wrap) {
+bool read_wrap(int number, ImageWrap& wrap) {
   switch (number) {
     case TINYGLTF_TEXTURE_WRAP_REPEAT:
-      wrap = AvatarWrap::kRepeat;
+      wrap = ImageWrap::kRepeat;
       return true;
     case TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE:
-      wrap = AvatarWrap::kClamp;
+      wrap = ImageWrap::kClamp;
       return true;
     case TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT:
-      wrap = AvatarWrap::kMirroredRepeat;
+      wrap = ImageWrap::kMirroredRepeat;
       return true;
     default:
       return false;
   }
+}
+
+/// How the image of a texture lies by KHR_texture_transform, which may choose other coordinates.
+void place_image(const tinygltf::TextureInfo& info, ImagePlacement& placement, int& set) {
+  const auto transform = info.extensions.find("KHR_texture_transform");
+  if (transform == info.extensions.end() || !transform->second.IsObject()) return;
+  const auto number = [](const tinygltf::Value& value, double usual) {
+    constexpr double kMost = 1e4;
+    return value.IsNumber() ? std::clamp(value.GetNumberAsDouble(), -kMost, kMost) : usual;
+  };
+  const auto pair = [&](const char* key, double usual) {
+    const tinygltf::Value& value = transform->second.Get(key);
+    if (value.ArrayLen() != 2) return glm::dvec2(usual);
+    return glm::dvec2(number(value.Get(0), usual), number(value.Get(1), usual));
+  };
+  const glm::dvec2 scale = pair("scale", 1.0);
+  double s = 0.0;
+  double c = 0.0;
+  sine_cosine(number(transform->second.Get("rotation"), 0.0), s, c);
+  placement.origin = glm::vec2(pair("offset", 0.0));
+  // Counter-clockwise on the image, whose v runs down.
+  placement.x_axis = glm::vec2(glm::dvec2(c, -s) * scale.x);
+  placement.y_axis = glm::vec2(glm::dvec2(s, c) * scale.y);
+  if (const tinygltf::Value& other = transform->second.Get("texCoord"); other.IsInt()) set = other.GetNumberAsInt();
 }
 
 /// What of a material is kept. `set` receives which texture coordinates the image takes.
@@ -240,10 +265,8 @@ Result<void> read_material(const tinygltf::Model& model, const tinygltf::Primiti
   surface.material = material.name;
   surface.is_double_sided = material.doubleSided;
   surface.is_transparent = material.alphaMode == "BLEND";
-  if (surface.is_transparent) warnings.add("some surfaces let light through; they are drawn opaque");
   if (material.alphaMode == "MASK")
     surface.alpha_cutoff = static_cast<float>(std::clamp(material.alphaCutoff, 0.0, 2.0));
-  if (surface.alpha_cutoff) warnings.add("some surfaces are cut out by their image; they are drawn whole");
   if (material.extensions.contains("VRMC_materials_mtoon"))
     warnings.add("surfaces are shaded as toons (MToon); they are drawn plain");
   if (material.normalTexture.index >= 0) warnings.add("images that shape surfaces (normal maps) are not used");
@@ -262,8 +285,6 @@ Result<void> read_material(const tinygltf::Model& model, const tinygltf::Primiti
   }
   if (static_cast<size_t>(image) >= model.images.size())
     return malformed("the image of the texture does not exist", place);
-  if (base.baseColorTexture.texCoord < 0 || base.baseColorTexture.texCoord > 15)
-    return malformed("the texture takes coordinates that cannot exist", place);
   set = base.baseColorTexture.texCoord;
   surface.image = image;
   if (texture.sampler >= 0) {
@@ -273,19 +294,10 @@ Result<void> read_material(const tinygltf::Model& model, const tinygltf::Primiti
     if (!read_wrap(sampler.wrapS, surface.wrap_u) || !read_wrap(sampler.wrapT, surface.wrap_v))
       return malformed("the sampler of the texture wraps in a way that glTF does not have", place);
   }
-  const auto transform = base.baseColorTexture.extensions.find("KHR_texture_transform");
-  if (transform != base.baseColorTexture.extensions.end() && transform->second.IsObject()) {
-    const auto is_all = [&](const char* key, double usual) {
-      const tinygltf::Value& value = transform->second.Get(key);
-      for (size_t i = 0; i < value.ArrayLen(); ++i)
-        if (const tinygltf::Value& number = value.Get(static_cast<int>(i));
-            number.IsNumber() && number.GetNumberAsDouble() != usual)
-          return false;
-      return !value.IsNumber() || value.GetNumberAsDouble() == usual;
-    };
-    if (!is_all("offset", 0.0) || !is_all("scale", 1.0) || !is_all("rotation", 0.0))
-      warnings.add("images that are moved, scaled or turned on their surface are not");
-  }
+  if (surface.is_transparent)
+    warnings.add("some surfaces let light through; they are drawn where they are more than half there");
+  place_image(base.baseColorTexture, surface.placement, set);
+  if (set < 0 || set > 15) return malformed("the texture takes coordinates that cannot exist", place);
   return {};
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "kinematics/humanoid.h"
+#include "kinematics/image_wrap.h"
 #include "kinematics/pose.h"
 #include "kinematics/vector.h"
 
@@ -50,8 +51,11 @@ struct AvatarVertices {
   std::vector<AvatarMorph> morphs = {};  ///< in the order of the mesh's morph names; there may be fewer
 };
 
-/// What of an image is shown beyond its edges.
-enum class AvatarWrap : uint8_t { kRepeat, kMirroredRepeat, kClamp };
+/// How an image lies on a surface.
+struct ImagePlacement {
+  /// Of coordinates before they are looked up (KHR_texture_transform): origin + x_axis * u + y_axis * v.
+  glm::vec2 origin{0.0F}, x_axis{1.0F, 0.0F}, y_axis{0.0F, 1.0F};
+};
 
 /// Triangles of one material.
 struct AvatarSurface {
@@ -60,7 +64,8 @@ struct AvatarSurface {
   std::vector<uint32_t> indices;  ///< three a triangle, counter-clockwise from outside
   glm::vec4 base_colour{1.0F};    ///< linear light, times the image and the vertex colours
   int image = -1;                 ///< of the base colour, or -1
-  AvatarWrap wrap_u = AvatarWrap::kRepeat, wrap_v = AvatarWrap::kRepeat;  ///< of the image
+  ImageWrap wrap_u = ImageWrap::kRepeat, wrap_v = ImageWrap::kRepeat;  ///< of the image
+  ImagePlacement placement;
   bool is_double_sided = false;
   bool is_transparent = false;
   /// Not negative: the surface is cut out where alpha, of base colour and image, is below it. Above 1: everywhere.

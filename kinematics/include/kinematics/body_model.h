@@ -3,9 +3,11 @@
 #pragma once
 
 #include "kinematics/figure.h"
+#include "kinematics/image_wrap.h"
 
 #include <cstdint>
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <memory>
@@ -24,6 +26,11 @@ struct PosedMesh {
   glm::mat4 world_from_mesh{1.0F};
   /// Never 0; another number whenever the contents of the spans are not what they were at the last pose().
   uint64_t revision = 1;
+  /// An image by which the colours are multiplied, of those that whoever draws has for the figure; -1: none.
+  int image = -1;
+  std::span<const glm::vec2> texture_coordinates = {};  ///< one a position, as glTF has them
+  ImageWrap wrap_u = ImageWrap::kRepeat, wrap_v = ImageWrap::kRepeat;
+  float alpha_cutoff = 0.0F;  ///< of the image's alpha: what is below is not drawn
 };
 
 class BodyModel {

@@ -5,7 +5,7 @@ namespace auslan {
 
 Result<Stage> Body::stage(const StageOptions& options) const {
   if (avatar == nullptr) return Stage::build(*figure, options);
-  return Stage::build(*figure, make_avatar_model(*avatar, pictures), options);
+  return Stage::build(*figure, make_avatar_model(*avatar), textures, options);
 }
 
 }  // namespace auslan

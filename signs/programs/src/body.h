@@ -7,15 +7,13 @@
 #include "kinematics/result.h"
 #include "stage/stage.h"
 
-#include <span>
-
 namespace auslan {
 
 /// The built-in figure, one that was baked, or a foreign avatar.
 struct Body {
   const Figure* figure = nullptr;
-  const SigningAvatar* avatar = nullptr;         ///< null: the figure's own segments are drawn
-  std::span<const AvatarPicture> pictures = {};  ///< of the avatar, as make_avatar_model takes them
+  const SigningAvatar* avatar = nullptr;  ///< null: the figure's own segments are drawn
+  Textures textures = {};                 ///< the avatar's images
 
   /// A stage of this body, which outlives it.
   Result<Stage> stage(const StageOptions& options) const;

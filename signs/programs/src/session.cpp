@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "session.h"
 
-#include "avatar_pictures.h"
+#include "avatar_images.h"
 #include "commands.h"
 #include "data_files.h"
 #include "gltf/avatar_gltf.h"
@@ -84,7 +84,7 @@ Result<void> Session::load_avatar() {
     return tl::unexpected(fitted.error());
   }
   avatar_ = std::make_unique<SigningAvatar>(std::move(*fitted));
-  pictures_ = decode_pictures(avatar_->avatar, avatar_->warnings);
+  textures_ = decode_images(avatar_->avatar, avatar_->warnings);
   for (const std::string& warning : avatar_->warnings)
     remark(options_, "auslanjam: " + options_.avatar + ": " + warning);
   return {};
@@ -112,7 +112,7 @@ Result<const Figure*> Session::figure() {
 Result<Body> Session::body() {
   const auto figure = this->figure();
   if (!figure) return tl::unexpected(figure.error());
-  return Body{.figure = *figure, .avatar = avatar_.get(), .pictures = pictures_};
+  return Body{.figure = *figure, .avatar = avatar_.get(), .textures = textures_};
 }
 
 Result<const Lexicon*> Session::lexicon() {

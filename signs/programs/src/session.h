@@ -56,7 +56,7 @@ class Session {
 
   std::unique_ptr<Figure> figure_;
   std::unique_ptr<SigningAvatar> avatar_;
-  std::vector<AvatarPicture> pictures_;
+  std::vector<std::optional<raster::Texture>> textures_;
   std::optional<Lexicon> lexicon_;
   std::optional<Signer> signer_;
 };

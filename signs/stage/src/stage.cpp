@@ -31,6 +31,23 @@ glm::vec3 to_float(const Vec3& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
+raster::Wrap as_raster(ImageWrap wrap) {
+  if (wrap == ImageWrap::kClamp) return raster::Wrap::kClamp;
+  return wrap == ImageWrap::kMirroredRepeat ? raster::Wrap::kMirroredRepeat : raster::Wrap::kRepeat;
+}
+
+raster::TextureUse worn(const PosedMesh& mesh, Textures textures) {
+  if (mesh.image < 0 || static_cast<size_t>(mesh.image) >= textures.size()) return {};
+  const std::optional<raster::Texture>& texture = textures[static_cast<size_t>(mesh.image)];
+  if (!texture) return {};
+  return {.texture = &*texture,
+          .coordinates = mesh.texture_coordinates,
+          .wrap_u = as_raster(mesh.wrap_u),
+          .wrap_v = as_raster(mesh.wrap_v),
+          .alpha = mesh.alpha_cutoff > 0.0F ? raster::AlphaMode::kMask : raster::AlphaMode::kOpaque,
+          .alpha_cutoff = mesh.alpha_cutoff};
+}
+
 /// The top of the head.
 double highest(const Figure& figure) {
   const int node = figure.skeleton.find("head_base");
@@ -95,10 +112,11 @@ std::optional<CameraName> camera_from_name(std::string_view name) {
   return std::nullopt;
 }
 
-Stage::Stage(const Figure& figure, std::unique_ptr<BodyModel> model, const StageOptions& options)
+Stage::Stage(const Figure& figure, std::unique_ptr<BodyModel> model, Textures textures, const StageOptions& options)
     : figure_(&figure),
       options_(options),
       model_(std::move(model)),
+      textures_(textures),
       shadow_(options.shadow ? std::make_unique<ArmShadow>(figure.skeleton, stage_lighting().key_direction) : nullptr),
       renderer_(options.threads, options.kernel.value()),
       camera_(
@@ -143,13 +161,14 @@ Result<Stage> Stage::build(const Figure& figure, const StageOptions& options) {
                options.flat    ? make_rigid_flat(figure)
                : options.rigid ? make_rigid_gouraud(figure)
                                : make_skinned(figure),
-               *chosen);
+               {}, *chosen);
 }
 
-Result<Stage> Stage::build(const Figure& figure, std::unique_ptr<BodyModel> model, const StageOptions& options) {
+Result<Stage> Stage::build(const Figure& figure, std::unique_ptr<BodyModel> model, Textures textures,
+                           const StageOptions& options) {
   const auto chosen = checked(options);
   if (!chosen) return tl::unexpected(chosen.error());
-  return Stage(figure, std::move(model), *chosen);
+  return Stage(figure, std::move(model), textures, *chosen);
 }
 
 void Stage::render(const Pose& pose, std::span<uint32_t> pixels, raster::Canvas canvas) {
@@ -160,9 +179,13 @@ void Stage::render(const Pose& pose, std::span<uint32_t> pixels, raster::Canvas 
   const raster::Shading shading = options_.flat ? raster::Shading::kFlat : raster::Shading::kGouraud;
   std::span<const PosedMesh> meshes = model_->pose(world_, pose.face);
   if (shadow_ != nullptr) meshes = shadow_->cast(world_, meshes);
-  for (const PosedMesh& mesh : meshes)
-    renderer_.draw({mesh.positions, mesh.normals, mesh.colours, mesh.indices, mesh.revision}, mesh.world_from_mesh,
-                   shading);
+  for (const PosedMesh& mesh : meshes) {
+    const raster::TextureUse texture = worn(mesh, textures_);
+    // Lashes and lace without the image that cuts them out would be plates.
+    if (mesh.image >= 0 && mesh.alpha_cutoff > 0.0F && texture.texture == nullptr) continue;
+    renderer_.draw({mesh.positions, mesh.normals, mesh.colours, mesh.indices, mesh.revision, texture},
+                   mesh.world_from_mesh, shading);
+  }
   status = renderer_.end_frame(pixels, canvas);
   assert(status == raster::Status::kOk);
 }

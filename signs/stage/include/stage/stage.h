@@ -48,13 +48,19 @@ raster::Lighting stage_lighting();
 
 class ArmShadow;
 
+/// Images of a figure, by the number that PosedMesh::image names.
+using Textures = std::span<const std::optional<raster::Texture>>;
+
 /// Draws one figure. Owns a renderer and a model, so one thread at a time; any number of stages can share a figure.
 class Stage {
  public:
   /// The figure must outlive the stage. kUsage for sizes, sample counts or kernels that the rasteriser does not take.
   static Result<Stage> build(const Figure& figure, const StageOptions& options);
-  /// The same with a model of the caller's that the figure's skeleton moves, in place of those that the options name.
-  static Result<Stage> build(const Figure& figure, std::unique_ptr<BodyModel> model, const StageOptions& options);
+  /// The same with a model of the caller's that the figure's skeleton moves, in place of those that the options name,
+  /// and the images that its meshes name; they outlive the stage. Meshes whose image is not there show their colours,
+  /// or nothing where it would cut them out.
+  static Result<Stage> build(const Figure& figure, std::unique_ptr<BodyModel> model, Textures textures,
+                             const StageOptions& options);
   Stage(Stage&&) noexcept;
   Stage& operator=(Stage&&) noexcept;
   ~Stage();
@@ -71,11 +77,12 @@ class Stage {
   const raster::DrawStats& stats() const { return renderer_.stats(); }
 
  private:
-  Stage(const Figure& figure, std::unique_ptr<BodyModel> model, const StageOptions& options);
+  Stage(const Figure& figure, std::unique_ptr<BodyModel> model, Textures textures, const StageOptions& options);
 
   const Figure* figure_;
   StageOptions options_;
   std::unique_ptr<BodyModel> model_;
+  Textures textures_;
   std::unique_ptr<ArmShadow> shadow_;  ///< null: none
   raster::Renderer renderer_;
   raster::Camera camera_;
