@@ -3,3 +3,4 @@ foreach(test elementary rotation interpolate skeleton anatomy limits arm_ik surf
   auslan_test(kinematics_${test} LABEL unit LIBRARIES auslan::kinematics)
 endforeach()
 auslan_test(signing_avatar LABEL unit LIBRARIES auslan::kinematics)
+auslan_test(avatar_bytes LABEL determinism LIBRARIES auslan::kinematics)

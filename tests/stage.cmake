@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 auslan_test(stage_camera LABEL unit LIBRARIES auslan::stage)
+auslan_test(stage_avatar LABEL unit LIBRARIES auslan::stage)
 if(AUSLANJAM_PROGRAMS)
   auslan_test(stage_shadow LABEL unit LIBRARIES auslan::stage)
   add_dependencies(stage_shadow_test auslan_baked_figure)

@@ -84,6 +84,65 @@ TEST_F(PictureFile, AnUnwritablePlaceLeavesNothing) {
   EXPECT_EQ(write_png(folder_ / "b.png", {three, 2, 2}).error().code, ErrorCode::kUsage);
 }
 
+/// A PNG of 8-bit RGBA, rows as they are: its data is stored, not compressed.
+std::string rgba_png(uint32_t width, uint32_t height, const std::string& pixels) {
+  const auto big_endian = [](uint32_t value) {
+    return std::string{static_cast<char>(value >> 24), static_cast<char>(value >> 16), static_cast<char>(value >> 8),
+                       static_cast<char>(value)};
+  };
+  const auto chunk = [&](const std::string& type, const std::string& data) {
+    uint32_t crc = 0xFFFFFFFF;
+    for (const char c : type + data) {
+      crc ^= static_cast<unsigned char>(c);
+      for (int bit = 0; bit < 8; ++bit)
+        crc = (crc >> 1) ^ ((crc & 1) != 0 ? 0xEDB88320U : 0U);
+    }
+    return big_endian(static_cast<uint32_t>(data.size())) + type + data + big_endian(~crc);
+  };
+  std::string rows;
+  for (size_t y = 0; y < height; ++y)
+    rows += std::string(1, '\0') + pixels.substr(4 * width * y, size_t{4} * width);
+  uint32_t a = 1, b = 0;
+  for (const char c : rows) {
+    a = (a + static_cast<unsigned char>(c)) % 65521;
+    b = (b + a) % 65521;
+  }
+  const auto length = static_cast<uint16_t>(rows.size());
+  const std::string stored = {'\x78',
+                              '\x01',
+                              '\x01',
+                              static_cast<char>(length),
+                              static_cast<char>(length >> 8),
+                              static_cast<char>(~length),
+                              static_cast<char>(~length >> 8)};
+  return "\x89PNG\r\n\x1a\n" +
+         chunk("IHDR", big_endian(width) + big_endian(height) + std::string("\x08\x06\0\0\0", 5)) +
+         chunk("IDAT", stored + rows + big_endian(b << 16 | a)) + chunk("IEND", "");
+}
+
+Result<Picture> decoded(const std::string& bytes, ImageFormat format, size_t max_pixels = 100) {
+  return decode_image(std::span(reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()), format, max_pixels,
+                      "image");
+}
+
+TEST_F(PictureFile, AnImageKeepsItsColoursWhereItIsClear) {
+  const auto image = decoded(rgba_png(2, 1, std::string("\x10\x20\x30\x00\xFF\x80\x40\x7F", 8)), ImageFormat::kPng);
+  ASSERT_TRUE(image) << to_string(image.error());
+  EXPECT_EQ(image->width, 2);
+  EXPECT_EQ(image->height, 1);
+  EXPECT_EQ(image->pixels, (std::vector<uint32_t>{0x00102030, 0x7FFF8040}));
+}
+
+TEST_F(PictureFile, AnImageThatIsTooLargeOrBrokenIsRefused) {
+  const std::string png = rgba_png(4, 4, std::string(64, '\x55'));
+  EXPECT_TRUE(decoded(png, ImageFormat::kPng, 16));
+  EXPECT_EQ(decoded(png, ImageFormat::kPng, 15).error().code, ErrorCode::kLimit);
+  EXPECT_FALSE(decoded(png, ImageFormat::kJpeg));
+  EXPECT_FALSE(decoded(png.substr(0, png.size() / 2), ImageFormat::kPng));
+  EXPECT_FALSE(decoded("", ImageFormat::kPng));
+  EXPECT_FALSE(decoded("\xFF\xD8\xFF\xE0 no more", ImageFormat::kJpeg));
+}
+
 TEST(Compare, NamesTheWorstPixelAndCountsThem) {
   const Picture expected = make_picture(5, 4, 0x101010);
   Picture actual = expected;
