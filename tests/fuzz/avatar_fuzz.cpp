@@ -14,7 +14,7 @@
 
 namespace {
 
-/// What can be fitted can be posed, and every number of it is finite.
+/// What can be fitted can be posed.
 void sign(const auslan::Avatar& avatar) {
   const auto fitted = auslan::fit_avatar(avatar);
   if (!fitted) {
@@ -28,7 +28,8 @@ void sign(const auslan::Avatar& avatar) {
     rotation = auslan::Quat(0.8, 0.0, 0.6, 0.0);
   pose.face.fill(1.0F);
   auslan::forward(skeleton, pose, world);
-  for (const auslan::PosedMesh& mesh : auslan::make_avatar_model(*fitted)->pose(world, pose.face))
+  const auto model = auslan::make_avatar_model(*fitted);
+  for (const auslan::PosedMesh& mesh : model->pose(world, pose.face))
     for (const uint32_t index : mesh.indices)
       if (index >= mesh.positions.size() || mesh.colours.size() != mesh.positions.size()) std::abort();
 }
