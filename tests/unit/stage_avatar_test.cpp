@@ -115,7 +115,9 @@ TEST_F(AvatarStage, TheFirstFrameTakesAllTheMemory) {
 }
 
 TEST_F(AvatarStage, ImagesColourTheSkinAndCutHolesIntoIt) {
-  Stage plain = stage(raster::Kernel::kScalar, 1, {});
+  const std::array<glm::u8vec4, 1> white = {glm::u8vec4(255, 255, 255, 255)};
+  const std::array<std::optional<raster::Texture>, 1> whole = {raster::Texture::from_srgb(1, 1, white)};
+  Stage plain = stage(raster::Kernel::kScalar, 1, whole);
   Stage worn = stage(raster::Kernel::kScalar, 1, textures_);
   const std::vector<uint32_t> bare = drawn(plain, 0.0);
   const std::vector<uint32_t> pixels = drawn(worn, 0.0);
@@ -128,6 +130,12 @@ TEST_F(AvatarStage, ImagesColourTheSkinAndCutHolesIntoIt) {
   // Through a quarter of every surface what is behind it shows.
   const auto is_empty = [](uint32_t p) { return p == kBackground; };
   EXPECT_GT(count(pixels, is_empty), count(bare, is_empty) + 50);
+}
+
+TEST_F(AvatarStage, WhatAnImageWouldCutOutIsNotDrawnWithoutIt) {
+  Stage bare = stage(raster::Kernel::kScalar, 1, {});
+  const std::vector<uint32_t> pixels = drawn(bare, 0.0);
+  EXPECT_TRUE(std::ranges::all_of(pixels, [](uint32_t pixel) { return pixel == kBackground; }));
 }
 
 TEST(AvatarCamera, AHeadAsTallAsTheTrunkIsInThePicture) {
