@@ -80,13 +80,16 @@ struct Finder {
     const Vec3 shoulders = 0.5 * (at(named_arm(Side::kLeft).shoulder) + at(named_arm(Side::kRight).shoulder));
     take(2, kHead);
     const Vec3 up = unit(at(2) - shoulders, Vec3(0.0, 1.0, 0.0));
-    // The nose of the trunk's bone: the lowest that is well below the shoulders.
+    // Where the trunk turns: the lowest bone that is well below the shoulders.
     constexpr double kLeastTrunk = 0.2 * kSigningArmLength;
     constexpr double kUsualTrunk = 0.705 * kSigningArmLength;
     bool has_base = false;
     for (const HumanRole role : {kHips, kSpine, kChest}) {
       if (!take(0, role)) continue;
       has_base = shoulders.y - at(0).y > kLeastTrunk;
+      // Hips are where the legs begin; the trunk bends above them, in the loins.
+      constexpr double kLoins = 0.15;
+      if (has_base && role == kHips) set(0, at(0) + (shoulders - at(0)) * kLoins);
       if (has_base) break;
     }
     if (!has_base) {

@@ -13,7 +13,7 @@
 namespace auslan {
 namespace {
 
-constexpr uint64_t kDigest = 0x31CD97C50995EA5CULL;
+constexpr uint64_t kDigest = 0xE59735F3B167ED10ULL;
 
 /// FNV-1a over the bytes of numbers.
 class Digest {
