@@ -154,10 +154,16 @@ Result<double> normalise(Avatar& avatar) {
   if (!(arm > 1e-6) || !(breadth > 0.02 * arm))
     return fail(ErrorCode::kUnsupported,
                 "the joints of the arms lie on each other, so that the figure has no size; check its skeleton");
+  // What is measured on a figure is measured in steps of centimetres: none is a hundred arms wide.
+  constexpr double kMostArms = 8.0;
+  const int hips = avatar.node_of(kHips);
+  const double tall = std::max(length(at(kHead) - middle), hips == kNoNode ? 0.0 : length(at(kHips) - middle));
+  if (!(breadth < kMostArms * arm) || !(tall < kMostArms * arm))
+    return fail(ErrorCode::kUnsupported,
+                "head, hips or shoulders are more than eight arms' lengths apart: this is not the build of a body");
   // Upright as glTF asks, unless the figure plainly lies or hangs: then from hips to head.
   constexpr double kUpright = 0.7;
   Vec3 up(0.0, 1.0, 0.0);
-  const int hips = avatar.node_of(kHips);
   const Vec3 trunk = unit(at(kHead) - (hips == kNoNode ? middle : at(kHips)), up);
   if (trunk.y < kUpright) up = trunk;
   const Vec3 across = unit(left - right);

@@ -4,6 +4,7 @@
 #include "kinematics/avatar_model.h"
 #include "kinematics/avatar_pose.h"
 #include "kinematics/signing_avatar.h"
+#include "synthesis/signer.h"
 
 #include <cmath>
 #include <cstdint>
@@ -56,6 +57,11 @@ void sign(const Avatar& avatar) {
     return;
   }
   const Skeleton& skeleton = fitted->figure.skeleton;
+  if (const auto signer = Signer::build(fitted->figure, {.face = fitted->face})) {
+    const HandState touching =
+        signer->place({.handshape = "", .location = Location::kChin, .contact = Contact{}}, {}, Side::kRight, {}).state;
+    if (!std::isfinite(touching.wrist.position.y)) std::abort();
+  }
   std::vector<Transform> world(static_cast<size_t>(skeleton.size()));
   Pose pose = rest_pose(skeleton);
   for (Quat& rotation : pose.rotation)

@@ -176,6 +176,9 @@ TEST(SigningAvatar, WhatCannotSignIsRefused) {
   for (AvatarNode& node : armless.nodes)
     node.translation = Vec3(0.0);
   refused(std::move(armless), "no size");
+  Avatar giant = box_avatar();
+  giant.nodes[static_cast<size_t>(giant.node_of(kLeftUpperArm))].translation.x = 1e5;
+  refused(std::move(giant), "build of a body");
   Avatar ladder = box_avatar();
   ladder.nodes[static_cast<size_t>(ladder.node_of(kLeftUpperArm))].translation = Vec3(0.0, 0.3, 0.0);
   ladder.nodes[static_cast<size_t>(ladder.node_of(kRightUpperArm))].translation = Vec3(0.0, -0.3, 0.0);
