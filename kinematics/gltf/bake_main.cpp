@@ -6,7 +6,7 @@
 
 namespace {
 
-auslan::Result<void> bake(const std::filesystem::path& input, const std::filesystem::path& output) {
+auslan::Result<void> bake(const std::filesystem::path& input, const std::filesystem::path& output, size_t) {
   const auto figure = auslan::read_gltf(input);
   if (!figure) return tl::unexpected(figure.error());
   return auslan::write_figure(*figure, output);
@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
        .input = "FIGURE.glb",
        .output = "OUT.figure",
        .about = "Turns a figure in glTF 2.0 (.glb or .gltf) into the flat binary file that the programs load.",
+       .choice = {},
        .convert = bake},
       argc, argv);
 }

@@ -19,7 +19,8 @@ constexpr size_t kFloatBytes = sizeof(float);
 constexpr std::string_view kRebuild = "; rebuild it with: auslan-bake FIGURE.glb -o signer.figure";
 
 // The arrays of a Mesh are copied as they lie in memory.
-static_assert(sizeof(glm::vec3) == 3 * kFloatBytes && sizeof(glm::u8vec4) == 4 && sizeof(Vec3) == 3 * sizeof(double));
+static_assert(sizeof(glm::vec3) == 3 * kFloatBytes && sizeof(glm::u8vec4) == 4 && sizeof(glm::u8vec3) == 3 &&
+              sizeof(Paint) == 4 && sizeof(Vec3) == 3 * sizeof(double));
 
 void append_text(std::string& bytes, std::string_view text) {
   append_little_endian(bytes, static_cast<uint32_t>(text.size()));
@@ -48,8 +49,31 @@ Result<void> check_morph(const Morph& morph, size_t vertices, const std::string&
   return {};
 }
 
-Result<void> check_mesh(const Mesh& mesh, const std::string& place) {
+Result<void> check_appearances(const std::vector<Appearance>& appearances, const std::string& place) {
+  if (appearances.size() > kMaxFigureAppearances)
+    return fail(ErrorCode::kLimit, "the figure has more than " + std::to_string(kMaxFigureAppearances) + " appearances",
+                place);
+  for (size_t i = 0; i < appearances.size(); ++i) {
+    const Appearance& appearance = appearances[i];
+    if (appearance.name.empty()) return fail(ErrorCode::kMalformed, "an appearance needs a name", place);
+    for (size_t k = 0; k < i; ++k)
+      if (appearances[k].name == appearance.name)
+        return fail(ErrorCode::kMalformed, "two appearances are called " + appearance.name, place);
+    if (appearance.pigments.empty() || appearance.pigments.size() > kMaxFigurePigments ||
+        appearance.pigments.size() != appearances.front().pigments.size())
+      return fail(ErrorCode::kMalformed, "every appearance needs as many pigments as the first, 1 to 256", place);
+  }
+  return {};
+}
+
+Result<void> check_mesh(const Mesh& mesh, size_t pigments, const std::string& place) {
   const size_t vertices = mesh.positions.size();
+  if (!mesh.paint.empty() && mesh.paint.size() != vertices)
+    return fail(ErrorCode::kMalformed, "a painted mesh needs one paint for each of its positions", place);
+  for (size_t i = 0; i < mesh.paint.size(); ++i)
+    if (mesh.paint[i].first >= pigments || mesh.paint[i].second >= pigments)
+      return fail(ErrorCode::kMalformed,
+                  "vertex " + std::to_string(i) + " is painted with a pigment that the figure does not have", place);
   if (mesh.normals.size() != vertices || mesh.colours.size() != vertices)
     return fail(ErrorCode::kMalformed, "a mesh needs one normal and one colour for each of its positions", place);
   if (vertices > 0 && mesh.indices.empty())
@@ -77,6 +101,10 @@ Result<void> check_mesh(const Mesh& mesh, const std::string& place) {
   for (const Morph& morph : mesh.morphs)
     if (auto checked = check_morph(morph, vertices, place); !checked) return checked;
   return {};
+}
+
+size_t pigment_count(const Figure& figure) {
+  return figure.appearances.empty() ? 0 : figure.appearances.front().pigments.size();
 }
 
 /// Reads fields one after another; the first that does not fit makes every later one empty.
@@ -154,14 +182,35 @@ Result<std::vector<Node>> parse_nodes(Cursor& cursor) {
   return nodes;
 }
 
+Result<std::vector<Appearance>> parse_appearances(Cursor& cursor) {
+  const auto count = cursor.number<uint32_t>();
+  const auto pigments = cursor.number<uint32_t>();
+  if (count > kMaxFigureAppearances || pigments > kMaxFigurePigments)
+    return refuse(ErrorCode::kLimit, "the figure has too many appearances or pigments", cursor.offset());
+  if (count == 0 && pigments != 0)
+    return refuse(ErrorCode::kMalformed, "the figure has pigments but no appearance", cursor.offset());
+  if (!cursor.claim(count, 4 + 3 + uint64_t{3} * pigments)) return too_short(cursor.offset());
+  std::vector<Appearance> appearances(count);
+  for (Appearance& appearance : appearances) {
+    appearance.name = cursor.text();
+    for (int channel = 0; channel < 3; ++channel)
+      appearance.background[channel] = cursor.number<uint8_t>();
+    cursor.array(appearance.pigments, pigments, 1);
+    if (cursor.failed()) return too_short(cursor.offset());
+  }
+  return appearances;
+}
+
 Result<void> parse_mesh(Cursor& cursor, Mesh& mesh) {
   constexpr uint64_t kLeastMorphBytes = 8;
   const auto vertices = cursor.number<uint32_t>();
+  const auto painted = cursor.number<uint32_t>();
   const auto indices = cursor.number<uint32_t>();
   const auto morphs = cursor.number<uint32_t>();
   cursor.array(mesh.positions, vertices, kFloatBytes);
   cursor.array(mesh.normals, vertices, kFloatBytes);
   cursor.array(mesh.colours, vertices, 1);
+  cursor.array(mesh.paint, painted, 1);
   cursor.array(mesh.indices, indices, sizeof(uint32_t));
   if (!cursor.claim(morphs, kLeastMorphBytes)) return too_short(cursor.offset());
   if (morphs > kMaxFigureMorphs) return refuse(ErrorCode::kLimit, "a mesh has too many morphs", cursor.offset());
@@ -228,8 +277,11 @@ Result<void> check_figure(const Figure& figure) {
   if (figure.segments.size() > kMaxFigureNodes)
     return fail(ErrorCode::kLimit, "the figure has more than " + std::to_string(kMaxFigureNodes) + " nodes",
                 figure.name);
+  if (auto checked = check_appearances(figure.appearances, figure.name); !checked) return checked;
+  const size_t pigments = pigment_count(figure);
   for (size_t i = 0; i < figure.segments.size(); ++i)
-    if (auto checked = check_mesh(figure.segments[i], figure.skeleton.nodes()[i].name); !checked) return checked;
+    if (auto checked = check_mesh(figure.segments[i], pigments, figure.skeleton.nodes()[i].name); !checked)
+      return checked;
   return {};
 }
 
@@ -239,6 +291,13 @@ std::string serialise_figure(const Figure& figure) {
   append_little_endian(bytes, uint32_t{0});
   bytes.resize(kHeaderBytes);  // length and checksum follow when they are known
   append_text(bytes, figure.name);
+  append_little_endian(bytes, static_cast<uint32_t>(figure.appearances.size()));
+  append_little_endian(bytes, static_cast<uint32_t>(pigment_count(figure)));
+  for (const Appearance& appearance : figure.appearances) {
+    append_text(bytes, appearance.name);
+    append_little_endian(bytes, &appearance.background, 1, 1);
+    append_little_endian(bytes, appearance.pigments.data(), appearance.pigments.size(), 1);
+  }
   append_little_endian(bytes, static_cast<uint32_t>(figure.skeleton.size()));
   for (const Node& node : figure.skeleton.nodes()) {
     append_text(bytes, node.name);
@@ -247,11 +306,13 @@ std::string serialise_figure(const Figure& figure) {
   }
   for (const Mesh& mesh : figure.segments) {
     append_little_endian(bytes, static_cast<uint32_t>(mesh.positions.size()));
+    append_little_endian(bytes, static_cast<uint32_t>(mesh.paint.size()));
     append_little_endian(bytes, static_cast<uint32_t>(mesh.indices.size()));
     append_little_endian(bytes, static_cast<uint32_t>(mesh.morphs.size()));
     append_little_endian(bytes, mesh.positions.data(), mesh.positions.size(), kFloatBytes);
     append_little_endian(bytes, mesh.normals.data(), mesh.normals.size(), kFloatBytes);
     append_little_endian(bytes, mesh.colours.data(), mesh.colours.size(), 1);
+    append_little_endian(bytes, mesh.paint.data(), mesh.paint.size(), 1);
     append_little_endian(bytes, mesh.indices.data(), mesh.indices.size());
     for (const Morph& morph : mesh.morphs) {
       append_little_endian(bytes, static_cast<uint32_t>(morph.channel));
@@ -277,6 +338,12 @@ Result<Figure> parse_figure(std::span<const std::byte> bytes) {
 
   Figure figure;
   figure.name = cursor.text();
+  const size_t appearances_start = cursor.offset();
+  auto appearances = parse_appearances(cursor);
+  if (!appearances) return tl::unexpected<Error>(std::move(appearances.error()));
+  figure.appearances = *std::move(appearances);
+  if (auto checked = check_appearances(figure.appearances, figure.name); !checked)
+    return refuse(ErrorCode::kMalformed, to_string(checked.error()), appearances_start);
   auto nodes = parse_nodes(cursor);
   if (!nodes) return tl::unexpected<Error>(std::move(nodes.error()));
   const size_t nodes_end = cursor.offset();
@@ -288,7 +355,7 @@ Result<Figure> parse_figure(std::span<const std::byte> bytes) {
     const size_t start = cursor.offset();
     if (auto parsed = parse_mesh(cursor, figure.segments[i]); !parsed)
       return tl::unexpected<Error>(std::move(parsed.error()));
-    if (auto checked = check_mesh(figure.segments[i], figure.skeleton.nodes()[i].name); !checked)
+    if (auto checked = check_mesh(figure.segments[i], pigment_count(figure), figure.skeleton.nodes()[i].name); !checked)
       return refuse(ErrorCode::kMalformed, to_string(checked.error()), start);
   }
   if (!cursor.at_end())

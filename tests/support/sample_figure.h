@@ -65,6 +65,11 @@ inline Figure sample_figure() {
   figure.segments[0] = sample_mesh(3, 1);
   figure.segments[2] = sample_mesh(300, 2);
   figure.segments[5] = sample_mesh(65536, 3);
+  figure.appearances = {{"first \xC3\xA9", {1, 2, 3}, {{0, 0, 0}, {255, 128, 7}}},
+                        {"second", {255, 255, 255}, {{10, 20, 30}, {40, 50, 60}}}};
+  for (uint32_t i = 0; i < 300; ++i)
+    figure.segments[2].paint.push_back({static_cast<uint8_t>(i % 2), static_cast<uint8_t>(i / 2 % 2),
+                                        static_cast<uint8_t>(i), static_cast<uint8_t>(255 - i % 256)});
   Morph all{.channel = FaceChannel::kMouthPucker, .vertices = {}, .displacement = {}};
   for (uint32_t i = 0; i < 300; ++i) {
     all.vertices.push_back(i);
@@ -85,6 +90,7 @@ inline Figure tiny_figure() {
   for (Mesh& mesh : figure.segments)
     mesh = Mesh();
   figure.segments[2] = sample_mesh(4, 4);
+  figure.segments[2].paint = {{0, 0, 0, 200}, {1, 0, 255, 0}, {0, 1, 128, 255}, {1, 1, 1, 1}};
   figure.segments[2].morphs = {
       {.channel = FaceChannel::kJawOpen, .vertices = {1, 3}, .displacement = {{1.0F, 0.0F, 0.0F}, {0.0F, 2.0F, 0.0F}}}};
   return figure;
@@ -99,6 +105,11 @@ bool same_bytes(const std::vector<T>& a, const std::vector<T>& b) {
 inline std::string difference(const Figure& a, const Figure& b) {
   if (a.name != b.name) return "names " + a.name + " / " + b.name;
   if (a.skeleton.size() != b.skeleton.size() || a.segments.size() != b.segments.size()) return "numbers of nodes";
+  if (a.appearances.size() != b.appearances.size()) return "numbers of appearances";
+  for (size_t i = 0; i < a.appearances.size(); ++i)
+    if (a.appearances[i].name != b.appearances[i].name || a.appearances[i].background != b.appearances[i].background ||
+        a.appearances[i].pigments != b.appearances[i].pigments)
+      return "appearance " + a.appearances[i].name;
   for (size_t i = 0; i < a.segments.size(); ++i) {
     const Node& p = a.skeleton.nodes()[i];
     const Node& q = b.skeleton.nodes()[i];
@@ -110,6 +121,7 @@ inline std::string difference(const Figure& a, const Figure& b) {
     if (!same_bytes(m.positions, n.positions)) return "positions" + where;
     if (!same_bytes(m.normals, n.normals)) return "normals" + where;
     if (!same_bytes(m.colours, n.colours)) return "colours" + where;
+    if (!same_bytes(m.paint, n.paint)) return "paint" + where;
     if (!same_bytes(m.indices, n.indices)) return "indices" + where;
     if (m.morphs.size() != n.morphs.size()) return "number of morphs" + where;
     for (size_t k = 0; k < m.morphs.size(); ++k)

@@ -39,7 +39,7 @@ uint64_t reference_checksum(const std::string& payload) {
 /// A file of this payload with a header that is right.
 std::string with_header(const std::string& payload) {
   std::string bytes = "AJFIGURE";
-  append_little_endian(bytes, uint32_t{1});
+  append_little_endian(bytes, uint32_t{2});
   append_little_endian(bytes, uint32_t{0});
   append_little_endian(bytes, uint64_t{payload.size()});
   append_little_endian(bytes, reference_checksum(payload));
@@ -68,11 +68,16 @@ TEST(FigureFile, GivesTheSameFigureBitForBit) {
 TEST(FigureFile, HeaderIsAsDescribed) {
   const std::string bytes = serialise_figure(tiny_figure());
   EXPECT_EQ(bytes.substr(0, 8), "AJFIGURE");
-  EXPECT_EQ(bytes.substr(8, 8), std::string("\1\0\0\0\0\0\0\0", 8));
+  EXPECT_EQ(bytes.substr(8, 8), std::string("\2\0\0\0\0\0\0\0", 8));
   EXPECT_EQ(bytes, with_header(bytes.substr(32)));
-  // The name "Sample e-acute" is 9 bytes of UTF-8, then come 39 nodes, the first "spine_base", without a parent.
-  EXPECT_EQ(bytes.substr(32, 17), std::string("\x09\0\0\0Sample \xC3\xA9\x27\0\0\0", 17));
-  EXPECT_EQ(bytes.substr(49, 18), std::string("\x0A\0\0\0spine_base\xFF\xFF\xFF\xFF", 18));
+  // The name "Sample e-acute" is 9 bytes of UTF-8, then come two appearances of two pigments, the first "first
+  // e-acute", and 39 nodes, the first "spine_base", without a parent.
+  EXPECT_EQ(bytes.substr(32, 21), std::string("\x09\0\0\0Sample \xC3\xA9\2\0\0\0\2\0\0\0", 21));
+  EXPECT_EQ(bytes.substr(53, 12), std::string("\x08\0\0\0first \xC3\xA9", 12));
+  EXPECT_EQ(bytes.substr(65, 9), std::string("\1\2\3\0\0\0\xFF\x80\7", 9));
+  EXPECT_EQ(bytes.substr(74, 10), std::string("\6\0\0\0second", 10));
+  EXPECT_EQ(bytes.substr(93, 4), std::string("\x27\0\0\0", 4));
+  EXPECT_EQ(bytes.substr(97, 18), std::string("\x0A\0\0\0spine_base\xFF\xFF\xFF\xFF", 18));
 }
 
 TEST(FigureFile, TruncatedAnywhere) {
@@ -95,7 +100,7 @@ TEST(FigureFile, EveryFlippedBitIsNoticed) {
 
 TEST(FigureFile, OtherVersionsAndForeignFiles) {
   std::string bytes = serialise_figure(tiny_figure());
-  bytes[8] = 2;
+  bytes[8] = 1;
   expect_malformed(bytes, ErrorCode::kUnsupported);
   expect_malformed("");
   expect_malformed("glTF and something that is long enough for a header");
@@ -142,10 +147,56 @@ TEST(FigureFile, FiguresThatBreakTheirContract) {
   refused_with([](Mesh& mesh) { mesh.normals[1].y = std::numeric_limits<float>::infinity(); });
   refused_with([](Mesh& mesh) { mesh.normals[1] = glm::vec3(0.0F); });
   refused_with([](Mesh& mesh) { mesh.colours[0].w = 254; });
+  refused_with([](Mesh& mesh) { mesh.paint.pop_back(); });
+  refused_with([](Mesh& mesh) { mesh.paint[1].second = 2; });
   refused_with([](Mesh& mesh) { mesh.morphs[0].vertices[1] = 4; });
   refused_with([](Mesh& mesh) { mesh.morphs[0].vertices = {1, 1}; });
   refused_with([](Mesh& mesh) { mesh.morphs[0].displacement[0].z = -std::numeric_limits<float>::infinity(); });
   refused_with([](Mesh& mesh) { mesh.morphs[0].channel = static_cast<FaceChannel>(kFaceChannelCount); });
+}
+
+TEST(FigureFile, AppearancesThatBreakTheirContract) {
+  const auto refused_with = [](auto change) {
+    Figure figure = tiny_figure();
+    change(figure.appearances);
+    EXPECT_FALSE(check_figure(figure));
+    EXPECT_FALSE(parse(serialise_figure(figure)));
+  };
+  refused_with([](std::vector<Appearance>& list) { list.clear(); });  // the mesh is painted
+  refused_with([](std::vector<Appearance>& list) { list[0].name.clear(); });
+  refused_with([](std::vector<Appearance>& list) { list[1].name = list[0].name; });
+  refused_with([](std::vector<Appearance>& list) { list[1].pigments.pop_back(); });
+  refused_with([](std::vector<Appearance>& list) { list[0].pigments.clear(); });
+  refused_with([](std::vector<Appearance>& list) {
+    for (int i = 0; i < 64; ++i)
+      list.push_back({"another " + std::to_string(i), glm::u8vec3(0), list[0].pigments});
+  });
+}
+
+TEST(FigureFile, PaintIsAMixtureOfPigmentsTimesAShade) {
+  const Appearance appearance{"", glm::u8vec3(0), {{200, 100, 0}, {0, 50, 255}}};
+  EXPECT_EQ(painted({0, 1, 0, 200}, appearance), glm::u8vec4(200, 100, 0, 255));
+  EXPECT_EQ(painted({0, 1, 255, 200}, appearance), glm::u8vec4(0, 50, 255, 255));
+  // A third of the second: 133.3, 83.3, 85; a shade of 100 is half; one of 250 is 1.25, at most 255.
+  EXPECT_EQ(painted({0, 1, 85, 200}, appearance), glm::u8vec4(133, 83, 85, 255));
+  EXPECT_EQ(painted({0, 0, 0, 100}, appearance), glm::u8vec4(100, 50, 0, 255));
+  EXPECT_EQ(painted({0, 1, 0, 250}, appearance), glm::u8vec4(250, 125, 0, 255));
+  EXPECT_EQ(painted({1, 1, 9, 250}, appearance), glm::u8vec4(0, 63, 255, 255));
+}
+
+TEST(FigureFile, AnAppearanceColoursWhatIsPainted) {
+  Figure figure = sample_figure();
+  const std::vector<glm::u8vec4> unpainted = figure.segments[0].colours;
+  const auto worn = put_on(figure, "second");
+  ASSERT_TRUE(worn);
+  EXPECT_EQ((*worn)->background, glm::u8vec3(255));
+  for (size_t i = 0; i < 300; ++i)
+    EXPECT_EQ(figure.segments[2].colours[i], painted(figure.segments[2].paint[i], figure.appearances[1]));
+  EXPECT_EQ(figure.segments[0].colours, unpainted);
+  const auto unknown = put_on(figure, "third");
+  ASSERT_FALSE(unknown);
+  EXPECT_EQ(unknown.error().code, ErrorCode::kUsage);
+  EXPECT_NE(unknown.error().message.find("second"), std::string::npos);
 }
 
 TEST(FigureFile, ContractsThatOnlyMemoryCanBreak) {

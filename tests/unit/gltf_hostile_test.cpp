@@ -237,10 +237,11 @@ TEST_F(GltfHostile, ReferencesToNothing) {
   for (const int index : {-2, 999, INT_MAX}) {
     for (const char* pointer :
          {"/nodes/2/mesh", "/meshes/0/primitives/0/indices", "/meshes/0/primitives/0/material",
-          "/meshes/0/primitives/0/attributes/POSITION", "/meshes/0/primitives/0/targets/0/POSITION",
-          "/accessors/0/bufferView", "/bufferViews/0/buffer", "/accessors/4/sparse/indices/bufferView",
-          "/accessors/4/sparse/values/bufferView", "/accessors/4/sparse/indices/byteOffset",
-          "/accessors/4/sparse/values/byteOffset", "/accessors/4/sparse/count"}) {
+          "/meshes/0/primitives/0/attributes/POSITION", "/meshes/0/primitives/0/attributes/_PAINT",
+          "/meshes/0/primitives/0/targets/0/POSITION", "/accessors/0/bufferView", "/bufferViews/0/buffer",
+          "/accessors/5/sparse/indices/bufferView", "/accessors/5/sparse/values/bufferView",
+          "/accessors/5/sparse/indices/byteOffset", "/accessors/5/sparse/values/byteOffset",
+          "/accessors/5/sparse/count"}) {
       document_.json = original;
       const json::json_pointer at(pointer);
       ASSERT_TRUE(document_.json.contains(at)) << pointer;
@@ -253,6 +254,53 @@ TEST_F(GltfHostile, ReferencesToNothing) {
         EXPECT_EQ(read.error().code, ErrorCode::kMalformed) << pointer << " " << to_string(read.error());
     }
   }
+}
+
+TEST_F(GltfHostile, AppearancesThatAreNone) {
+  const json original = document_.json;
+  const json& whole = original["scenes"][0]["extras"]["appearances"];
+  ASSERT_EQ(whole.size(), 2U);
+  json many = json::array();
+  for (int i = 0; i < 65; ++i) {
+    many.push_back(whole[0]);
+    many.back()["name"] = std::to_string(i);
+  }
+  const auto refused = [&](const char* pointer, const json& value, ErrorCode code = ErrorCode::kMalformed) {
+    document_.json = original;
+    document_.json[json::json_pointer(std::string("/scenes/0/extras/appearances") + pointer)] = value;
+    expect_refused(code);
+  };
+  refused("", many, ErrorCode::kLimit);
+  refused("/0", 7);
+  refused("/0/name", 7);
+  refused("/0/name", "");
+  refused("/0/name", whole[1]["name"]);
+  refused("/0/background", json::array({1, 2}));
+  refused("/0/pigments", "none");
+  refused("/0/pigments", json::array());
+  refused("/0/pigments/0", json::array({1, 2, 256}));
+  refused("/0/pigments/0", json::array({1, -2, 3}));
+  refused("/0/pigments/0", json::array({1, 2.5, 3}));
+  refused("/0/pigments/0", json::array({"1", 2, 3}));
+  refused("/0/pigments", json(std::vector<json>(257, whole[0]["pigments"][0])));
+}
+
+// What is no list of appearances is another maker's, and so is the paint beside it.
+TEST_F(GltfHostile, ForeignExtrasAreNoAppearances) {
+  document_.json["scenes"][0]["extras"] = {{"appearances", "blue"}};
+  const auto read = parse_text(document_.pack());
+  ASSERT_TRUE(read) << to_string(read.error());
+  EXPECT_TRUE(read->appearances.empty());
+  EXPECT_TRUE(read->segments[2].paint.empty());
+}
+
+TEST_F(GltfHostile, PaintThatIsNoBytes) {
+  auto& accessor = document_.attribute(0, "_PAINT");
+  accessor["normalized"] = true;
+  expect_refused(ErrorCode::kMalformed);
+  accessor["normalized"] = false;
+  document_.store(document_.start(accessor), uint8_t{2});  // there are pigments 0 and 1
+  expect_refused(ErrorCode::kMalformed);
 }
 
 TEST_F(GltfHostile, SparseIndicesOutOfOrderOrRange) {

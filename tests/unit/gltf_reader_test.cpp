@@ -121,13 +121,14 @@ TEST_F(GltfReader, MorphTargetsThatAreNoFaceChannelAreLeftOut) {
 TEST_F(GltfReader, MeshWithoutIndicesTakesItsVerticesInTurn) {
   auto& primitive = document_.json["meshes"][0]["primitives"][0];
   primitive.erase("indices");
-  for (const char* name : {"POSITION", "NORMAL", "COLOR_0"})
+  for (const char* name : {"POSITION", "NORMAL", "COLOR_0", "_PAINT"})
     document_.attribute(0, name)["count"] = 3;
   primitive.erase("targets");
   Mesh& mesh = figure_.segments[2];
   mesh.positions.pop_back();
   mesh.normals.pop_back();
   mesh.colours.pop_back();
+  mesh.paint.pop_back();
   mesh.indices = {0, 1, 2};
   mesh.morphs.clear();
   expect_figure(figure_);

@@ -60,6 +60,22 @@ TEST(SculptTable, AnUnknownKeyIsRefused) {
   EXPECT_NE(to_string(result.error()).find("forarm"), std::string::npos);
 }
 
+TEST(SculptTable, AppearancesAreRefusedWithTheirLine) {
+  const std::string text = shipped_table();
+  const std::string none = text.substr(0, text.find("[[appearance]]"));
+  for (const std::string& broken :
+       {none, none + "appearance = 3\n", none + "appearance = []\n", none + "appearance = [1, 2]\n",
+        with(text, "\nskin = ", "\n# skin = "), with(text, "\nskin = [", "\nskin = [1, "),
+        with(text, "\nskin = [", "\nskin = [256, 0, 0] #"), with(text, "\nskin = ", "\nskim = [1, 2, 3]\nskin = "),
+        text + text.substr(text.find("[[appearance]]"))}) {
+    const auto result = read(broken);
+    ASSERT_FALSE(result) << broken.substr(broken.size() - 60);
+    EXPECT_EQ(result.error().code, ErrorCode::kMalformed);
+    EXPECT_NE(result.error().message.find("appearance"), std::string::npos) << to_string(result.error());
+    EXPECT_NE(result.error().place.find(":"), std::string::npos);
+  }
+}
+
 TEST(SculptTable, AWrongTypeAndAnAbsurdLengthAreRefused) {
   for (const char* value : {"\nforearm = \"long\" #", "\nforearm = -5 #", "\nforearm = 1e9 #", "\nforearm = nan #"}) {
     const auto result = read(with(shipped_table(), "\nforearm ", std::string(value)));

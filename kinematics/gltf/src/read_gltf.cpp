@@ -139,7 +139,70 @@ Result<void> read_morphs(const tinygltf::Mesh& source, gltf::AccessorReader& rea
   return {};
 }
 
-Result<Mesh> read_mesh(const tinygltf::Model& model, int index, gltf::AccessorReader& reader) {
+/// A whole number from 0 to 255, or nothing.
+std::optional<uint8_t> byte_of(const tinygltf::Value& value) {
+  if (!value.IsInt()) return std::nullopt;
+  const int number = value.Get<int>();
+  if (number < 0 || number > 255) return std::nullopt;
+  return static_cast<uint8_t>(number);
+}
+
+std::optional<glm::u8vec3> colour_of(const tinygltf::Value& value) {
+  if (!value.IsArray() || value.ArrayLen() != 3) return std::nullopt;
+  glm::u8vec3 colour(0);
+  for (int channel = 0; channel < 3; ++channel) {
+    const std::optional<uint8_t> level = byte_of(value.Get(channel));
+    if (!level) return std::nullopt;
+    colour[channel] = *level;
+  }
+  return colour;
+}
+
+/// What write_gltf put into the scene's extras; none in files of other makers.
+Result<std::vector<Appearance>> read_appearances(const tinygltf::Scene& scene) {
+  constexpr const char* kPlace = "scenes[0].extras.appearances";
+  std::vector<Appearance> appearances;
+  const tinygltf::Value list = scene.extras.IsObject() ? scene.extras.Get("appearances") : tinygltf::Value();
+  if (!list.IsArray()) return appearances;
+  if (list.ArrayLen() > kMaxFigureAppearances) return fail(ErrorCode::kLimit, "there are too many appearances", kPlace);
+  for (size_t i = 0; i < list.ArrayLen(); ++i) {
+    const tinygltf::Value& described = list.Get(static_cast<int>(i));
+    // Asked first: tinygltf asserts where it is no object.
+    const bool is_object = described.IsObject();
+    const tinygltf::Value name = is_object ? described.Get("name") : tinygltf::Value();
+    const std::optional<glm::u8vec3> background =
+        is_object ? colour_of(described.Get("background")) : std::optional<glm::u8vec3>();
+    const tinygltf::Value pigments = is_object ? described.Get("pigments") : tinygltf::Value();
+    if (!name.IsString() || !background || !pigments.IsArray() || pigments.ArrayLen() > kMaxFigurePigments)
+      return malformed("an appearance needs a name, a background and at most 256 pigments", kPlace);
+    Appearance& appearance = appearances.emplace_back();
+    appearance.name = name.Get<std::string>();
+    appearance.background = *background;
+    for (size_t k = 0; k < pigments.ArrayLen(); ++k) {
+      const std::optional<glm::u8vec3> pigment = colour_of(pigments.Get(static_cast<int>(k)));
+      if (!pigment) return malformed("a pigment is three whole numbers from 0 to 255", kPlace);
+      appearance.pigments.push_back(*pigment);
+    }
+  }
+  return appearances;
+}
+
+Result<std::vector<Paint>> read_paint(int accessor, gltf::AccessorReader& reader, const std::string& place) {
+  const auto numbers = reader.elements(accessor, 4);
+  if (!numbers) return tl::unexpected<Error>(numbers.error());
+  std::vector<Paint> paint(numbers->size() / 4);
+  for (size_t i = 0; i < numbers->size(); ++i) {
+    const double number = (*numbers)[i];
+    if (number < 0.0 || number > 255.0 || number != std::floor(number))
+      return malformed("_PAINT must hold whole numbers from 0 to 255", place);
+    Paint& one = paint[i / 4];
+    uint8_t* const fields[] = {&one.first, &one.second, &one.share, &one.shade};
+    *fields[i % 4] = static_cast<uint8_t>(number);
+  }
+  return paint;
+}
+
+Result<Mesh> read_mesh(const tinygltf::Model& model, int index, bool is_painted, gltf::AccessorReader& reader) {
   if (static_cast<size_t>(index) >= model.meshes.size())
     return malformed("the mesh of a node does not exist", place_of("meshes", index, ""));
   const tinygltf::Mesh& source = model.meshes[static_cast<size_t>(index)];
@@ -174,6 +237,12 @@ Result<Mesh> read_mesh(const tinygltf::Model& model, int index, gltf::AccessorRe
                         glm::u8vec4(gltf::srgb_from_fraction(factor->x), gltf::srgb_from_fraction(factor->y),
                                     gltf::srgb_from_fraction(factor->z), 255));
   }
+  // Only beside appearances does the paint mean something: another maker's _PAINT is none of ours.
+  if (const std::optional<int> paint = attribute("_PAINT"); paint && is_painted) {
+    auto paints = read_paint(*paint, reader, place);
+    if (!paints) return tl::unexpected<Error>(std::move(paints.error()));
+    mesh.paint = *std::move(paints);
+  }
   if (primitive.indices >= 0) {
     auto indices = reader.indices(primitive.indices);
     if (!indices) return tl::unexpected<Error>(std::move(indices.error()));
@@ -196,12 +265,15 @@ Result<Figure> build_figure(const tinygltf::Model& model) {
   auto skeleton = read_skeleton(model, model.scenes[static_cast<size_t>(scene)], sources);
   if (!skeleton) return tl::unexpected<Error>(std::move(skeleton.error()));
   figure.skeleton = *std::move(skeleton);
+  auto appearances = read_appearances(model.scenes[static_cast<size_t>(scene)]);
+  if (!appearances) return tl::unexpected<Error>(std::move(appearances.error()));
+  figure.appearances = *std::move(appearances);
   figure.segments.resize(sources.size());
   gltf::AccessorReader reader(model);
   for (size_t i = 0; i < sources.size(); ++i) {
     const int mesh = model.nodes[static_cast<size_t>(sources[i])].mesh;
     if (mesh < 0) continue;
-    auto read = read_mesh(model, mesh, reader);
+    auto read = read_mesh(model, mesh, !figure.appearances.empty(), reader);
     if (!read) return tl::unexpected<Error>(std::move(read.error()));
     figure.segments[i] = *std::move(read);
   }

@@ -51,6 +51,12 @@ class Binary {
     return add(std::move(accessor));
   }
 
+  int add_paint(const std::vector<Paint>& paint) {
+    Json accessor = described(paint_, gltf::kUnsignedByte, paint.size(), "VEC4");
+    append_little_endian(paint_.bytes, paint.data(), paint.size(), 1);
+    return add(std::move(accessor));
+  }
+
   int add_indices(const std::vector<uint32_t>& values, size_t vertices) {
     Json accessor = described(indices_, index_type(vertices), values.size(), "SCALAR");
     append_indices(indices_.bytes, values, vertices);
@@ -80,7 +86,7 @@ class Binary {
   std::string finish(Json& document) {
     std::string chunk;
     std::vector<const View*> used;
-    for (const View* view : {&vertices_, &colours_, &indices_, &sparse_indices_, &sparse_values_})
+    for (const View* view : {&vertices_, &colours_, &paint_, &indices_, &sparse_indices_, &sparse_values_})
       if (view->index >= 0) used.push_back(view);
     std::ranges::sort(used, {}, &View::index);
     Json views = Json::array();
@@ -139,6 +145,7 @@ class Binary {
 
   View vertices_{.bytes = {}, .stride = 12, .target = gltf::kArrayBuffer};
   View colours_{.bytes = {}, .stride = 8, .target = gltf::kArrayBuffer};
+  View paint_{.bytes = {}, .stride = 4, .target = gltf::kArrayBuffer};
   View indices_{.bytes = {}, .target = gltf::kElementArrayBuffer};
   View sparse_indices_;
   View sparse_values_;
@@ -151,6 +158,8 @@ Json describe_mesh(const Mesh& mesh, const std::string& name, Binary& binary) {
   attributes["POSITION"] = binary.add_vectors(mesh.positions, true);
   attributes["NORMAL"] = binary.add_vectors(mesh.normals, false);
   attributes["COLOR_0"] = binary.add_colours(mesh.colours);
+  // A name of our own, which the standard has begin with an underscore.
+  if (!mesh.paint.empty()) attributes["_PAINT"] = binary.add_paint(mesh.paint);
   Json primitive;
   primitive["attributes"] = std::move(attributes);
   primitive["indices"] = binary.add_indices(mesh.indices, mesh.positions.size());
@@ -165,6 +174,23 @@ Json describe_mesh(const Mesh& mesh, const std::string& name, Binary& binary) {
   described["name"] = name;
   described["primitives"].push_back(std::move(primitive));
   if (!names.empty()) described["extras"]["targetNames"] = std::move(names);
+  return described;
+}
+
+Json describe_colour(const glm::u8vec3& colour) {
+  return {colour.x, colour.y, colour.z};
+}
+
+Json describe_appearances(const std::vector<Appearance>& appearances) {
+  Json described = Json::array();
+  for (const Appearance& appearance : appearances) {
+    Json pigments = Json::array();
+    for (const glm::u8vec3& pigment : appearance.pigments)
+      pigments.push_back(describe_colour(pigment));
+    described.push_back({{"name", appearance.name},
+                         {"background", describe_colour(appearance.background)},
+                         {"pigments", std::move(pigments)}});
+  }
   return described;
 }
 
@@ -208,6 +234,8 @@ Result<void> write_gltf(const Figure& figure, const std::filesystem::path& path)
   document["scene"] = 0;
   document["scenes"][0]["nodes"] = Json::array({0});
   if (!figure.name.empty()) document["scenes"][0]["name"] = figure.name;
+  if (!figure.appearances.empty())
+    document["scenes"][0]["extras"]["appearances"] = describe_appearances(figure.appearances);
   Json nodes = describe_nodes(figure.skeleton);
   Json meshes = Json::array();
   for (size_t i = 0; i < figure.segments.size(); ++i) {
@@ -227,7 +255,8 @@ Result<void> write_gltf(const Figure& figure, const std::filesystem::path& path)
   try {
     text = document.dump();
   } catch (const Json::exception&) {
-    return fail(ErrorCode::kMalformed, "the name of the figure or of a node is not valid UTF-8", path.string());
+    return fail(ErrorCode::kMalformed, "the name of the figure, of an appearance or of a node is not valid UTF-8",
+                path.string());
   }
 
   std::string chunks;

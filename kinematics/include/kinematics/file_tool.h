@@ -4,17 +4,29 @@
 
 #include "kinematics/result.h"
 
+#include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string_view>
 
 namespace auslan {
+
+/// An option of a tool that takes one of a few words.
+struct FileToolChoice {
+  std::string_view flag;  ///< "--detail"; empty: the tool has none
+  std::span<const std::string_view> words;
+  size_t otherwise = 0;    ///< which word stands where the option is missing
+  std::string_view about;  ///< for --help, without the words
+};
 
 struct FileTool {
   std::string_view name;    ///< of the program
   std::string_view input;   ///< what the usage calls them: "FIGURE.glb"
   std::string_view output;  ///< "OUT.figure"
   std::string_view about;   ///< for --help: a sentence or two on what it does, without a newline at the end
-  Result<void> (*convert)(const std::filesystem::path& input, const std::filesystem::path& output);
+  FileToolChoice choice;
+  /// `chosen` is the place of the chosen word in choice.words.
+  Result<void> (*convert)(const std::filesystem::path& input, const std::filesystem::path& output, size_t chosen);
 };
 
 /// Runs the tool and returns its exit status: 0 done, 1 the work failed, 2 the command line was wrong. Messages go to

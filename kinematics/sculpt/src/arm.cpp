@@ -9,7 +9,7 @@
 
 namespace auslan::sculpt {
 
-Mesh sculpt_upper_arm(const Measurements& table) {
+Sculpture sculpt_upper_arm(const Measurements& table) {
   const TrunkJoints joints = trunk_joints(table);
   const double span = joints.elbow.x - joints.shoulder.x;
   const double arm = table.upper_arm_circumference / (2.0 * kPi);
@@ -27,10 +27,10 @@ Mesh sculpt_upper_arm(const Measurements& table) {
   tube.end = Vec3(span, 0.0, 0.0);
   tube.start = Vec3(span * 0.5, 0.0, 0.0);
   tube.reach = 140.0;
-  tube.columns = 24;
-  tube.rows = tube_rows(1, {0.3, 0.6, 0.8, 1.0}, 2);
+  tube.columns = 36;
+  tube.rows = tube_rows(1, refined({0.3, 0.6, 0.8, 1.0}), 4);
   Grid arm_grid = cast_tube(skin_field, tube, Part::kSkin);
-  const Colour skin = colour_of(table.skin);
+  const Colour skin(Pigment::kSkin);
   paint(arm_grid, [&](const Vec3& p) { return skin * mix(0.90, 1.0, smooth_step(0.70, 0.82, p.x / span)); });
 
   // The sleeve: cloth from inside the trunk's shoulder to a hem above the elbow, wider than the arm and hollow there.
@@ -43,20 +43,21 @@ Mesh sculpt_upper_arm(const Measurements& table) {
   Tube cloth;
   cloth.end = Vec3(hem, 0.0, 0.0);
   cloth.reach = 140.0;
-  cloth.columns = 24;
-  cloth.rows = tube_rows(3, {0.0, 0.16, 0.33, 0.5, 0.67, 0.84, 0.93, 1.0}, 0);
+  cloth.columns = 36;
+  cloth.rows = tube_rows(5, refined({0.0, 0.16, 0.33, 0.5, 0.67, 0.84, 0.93, 1.0}), 0);
   Grid outside = cast_tube(sleeve, cloth, Part::kCloth);
-  const Colour shirt = colour_of(table.shirt);
+  const Colour shirt(Pigment::kShirt);
   paint(outside, [&](const Vec3& p) { return shirt * mix(1.0, 0.80, smooth_step(hem * 0.935, hem * 0.945, p.x)); });
-  // Turn the hem inwards: two more rows that lead back inside, closed there.
+  // Turn the hem inwards: two more rows that lead into the arm, closed there. A wall of its own, as thin as cloth,
+  // would come through when the arm twists.
   Grid closed(outside.rows + 2, outside.columns, false, Part::kCloth);
   for (int row = 0; row < closed.rows; ++row) {
     for (int column = 0; column < closed.columns; ++column) {
       Vertex v = outside.at(std::min(row, outside.rows - 1), column);
       const int inner = row - (outside.rows - 1);
       if (inner > 0) {
-        const double shrink = inner == 1 ? 0.94 : 0.86;
-        v.point = Vec3(v.point.x - (inner == 1 ? 0.0 : 14.0), v.point.y * shrink, v.point.z * shrink);
+        const double shrink = inner == 1 ? 0.93 : 0.78;
+        v.point = Vec3(v.point.x - (inner == 1 ? 0.0 : 5.0), v.point.y * shrink, v.point.z * shrink);
         v.colour = shirt * (inner == 1 ? 0.72 : 0.4);
       }
       closed.at(row, column) = v;
@@ -68,10 +69,16 @@ Mesh sculpt_upper_arm(const Measurements& table) {
   Shape shape;
   append(shape, closed);
   append(shape, arm_grid);
-  return finish(shape);
+  Sculpture made = finish(shape);
+  const Vec3 along(1.0, 0.0, 0.0), up(0.0, 1.0, 0.0);
+  const double half = 0.15 * table.forearm;
+  for (const double degrees : {90.0, -90.0})
+    made.poses.push_back(turned(points_of(shape), {{Vec3(0.0), along, along, 0.1 * span, 0.92 * span, -degrees, 0.0},
+                                                   {Vec3(span, 0.0, 0.0), along, up, -half, half, 0.0, -130.0}}));
+  return made;
 }
 
-Mesh sculpt_forearm(const Measurements& table) {
+Sculpture sculpt_forearm(const Measurements& table) {
   const double span = table.forearm;
   const double arm = table.forearm_circumference / (2.0 * kPi);
   const double elbow = table.upper_arm_circumference / (2.0 * kPi) * 0.86;
@@ -91,14 +98,22 @@ Mesh sculpt_forearm(const Measurements& table) {
   Tube tube;
   tube.end = Vec3(span, 0.0, 0.0);
   tube.reach = 90.0;
-  tube.columns = 24;
-  tube.rows = tube_rows(3, {0.0, 0.1, 0.22, 0.36, 0.5, 0.64, 0.78, 0.9, 1.0}, 2);
+  tube.columns = 36;
+  tube.rows = tube_rows(5, refined({0.0, 0.1, 0.22, 0.36, 0.5, 0.64, 0.78, 0.9, 1.0}), 4);
   Grid grid = cast_tube(field, tube, Part::kSkin);
-  const Colour skin = colour_of(table.skin);
+  const Colour skin(Pigment::kSkin);
   paint(grid, [&](const Vec3&) { return skin; });
   Shape shape;
   append(shape, grid);
-  return finish(shape);
+  Sculpture made = finish(shape);
+  const Vec3 along(1.0, 0.0, 0.0), up(0.0, 1.0, 0.0), side(0.0, 0.0, 1.0);
+  const double half_elbow = 0.15 * span, half_wrist = 0.075 * span;
+  for (const double degrees : {90.0, -90.0})
+    made.poses.push_back(
+        turned(points_of(shape), {{Vec3(0.0), along, up, -half_elbow, half_elbow, 130.0, 0.0},
+                                  {Vec3(0.0), along, along, 0.1 * span, 0.92 * span, -degrees, 0.0},
+                                  {Vec3(span, 0.0, 0.0), along, side, -half_wrist, half_wrist, 0.0, 0.8 * degrees}}));
+  return made;
 }
 
 }  // namespace auslan::sculpt

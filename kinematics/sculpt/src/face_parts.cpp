@@ -21,12 +21,12 @@ struct BallRow {
 constexpr BallRow kBallRows[] = {{130.0, 0}, {92.0, 0}, {68.0, 0}, {52.0, 0}, {40.0, 0}, {30.0, 0}, {29.2, 1},
                                  {25.5, 1},  {24.0, 2}, {16.5, 2}, {13.6, 2}, {12.8, 3}, {6.0, 3}};
 
-void add_ball(Head& head, const Measurements& table) {
+void add_ball(Head& head) {
   const Vec3 centre(head.eye_x, kEyeLevel, kEyeZ);
-  Grid grid(static_cast<int>(std::size(kBallRows)), 20, false, Part::kEyeball);
-  const Colour white(240.0, 236.0, 230.0);
-  const Colour iris = colour_of(table.iris);
-  const Colour tints[] = {white, shaded(iris, 0.45), shaded(iris, 1.12), Colour(14.0, 12.0, 12.0)};
+  Grid grid(static_cast<int>(std::size(kBallRows)), 28, false, Part::kEyeball);
+  const Colour white(Pigment::kEyeWhite);
+  const Colour iris(Pigment::kIris);
+  const Colour tints[] = {white, iris * 0.45, iris * 1.2, Pigment::kPupil};
   for (int row = 0; row < grid.rows; ++row) {
     const Angle polar = angle_deg(kBallRows[row].polar_deg);
     for (int column = 0; column < grid.columns; ++column) {
@@ -34,10 +34,14 @@ void add_ball(Head& head, const Measurements& table) {
       Vertex& v = grid.at(row, column);
       v.point = centre + Vec3(turn.cosine * polar.sine, turn.sine * polar.sine, polar.cosine) * kBallRadius;
       v.colour = tints[kBallRows[row].tint];
+      // Where somebody looks is read from the iris.
+      v.importance = kBallRows[row].polar_deg < 45.0 ? 60.0 : (kBallRows[row].polar_deg < 80.0 ? 2.0 : 0.05);
     }
   }
   grid.first_pole.point = centre - Vec3(0.0, 0.0, kBallRadius);
   grid.first_pole.colour = white;
+  grid.first_pole.importance = 0.05;
+  grid.last_pole.importance = 60.0;
   grid.last_pole.point = centre + Vec3(0.0, 0.0, kBallRadius);
   grid.last_pole.colour = tints[3];
   add_piece(head, grid, std::vector<Site>(grid.points.size() + 2, Site{Piece::kEyeball, 0.0, 0.0, 0.0}), true);
@@ -56,25 +60,25 @@ void add_ball(Head& head, const Measurements& table) {
   }
   glint.first_pole.point = spot - out * 0.7;
   glint.last_pole.point = spot + out * 0.4;
-  paint(glint, [](const Vec3&) { return Colour(255.0); });
+  paint(glint, [](const Vec3&) { return Colour(Pigment::kGlint); });
+  glint.weigh(0.5);
   add_piece(head, glint, std::vector<Site>(glint.points.size() + 2, Site{Piece::kEyeball, 0.0, 0.0, 0.0}), true);
 }
 
 /// A lid is a part of a hollow ball between two half circles from corner to corner: its outside from the first to the
 /// last angle, then back on the inside.
-void add_lid(Head& head, const Measurements& table, bool upper) {
-  constexpr double kShares[] = {0.0, 0.05, 0.11, 0.28, 0.55, 1.0};
+void add_lid(Head& head, bool upper) {
+  constexpr double kShares[] = {0.0, 0.05, 0.11, 0.19, 0.28, 0.41, 0.55, 0.78, 1.0};
   constexpr int kSteps = static_cast<int>(std::size(kShares));
-  constexpr int kRows = 13;
+  constexpr int kRows = 21;
   const Vec3 centre(head.eye_x, kEyeLevel, kEyeZ);
   Grid grid(kRows, 2 * kSteps, false, Part::kSkin);
   std::vector<Site> sites(grid.points.size() + 2);
   const Piece piece = upper ? Piece::kUpperLid : Piece::kLowerLid;
   const double margin = upper ? kUpperOpen : kLowerOpen;
   const double hidden = upper ? kUpperHidden : kLowerHidden;
-  const Colour skin =
-      shaded(mix(colour_of(table.skin), colour_of(table.lips), upper ? 0.14 : 0.10), upper ? 0.97 : 1.0);
-  const Colour lash = upper ? shaded(colour_of(table.hair), 0.6) : shaded(skin, 0.62);
+  const Colour skin = mix(Pigment::kSkin, Pigment::kLips, upper ? 0.14 : 0.10) * (upper ? 0.97 : 1.0);
+  const Colour lash = upper ? Colour(Pigment::kHair) * 0.6 : skin * 0.62;
   for (int row = 0; row < kRows; ++row) {
     const double along = angle_deg(-90.0 + 180.0 * (row + 1) / (kRows + 1)).sine;
     for (int column = 0; column < grid.columns; ++column) {
@@ -87,7 +91,8 @@ void add_lid(Head& head, const Measurements& table, bool upper) {
       Vertex& v = grid.at(row, column);
       v.point = centre + lid_point(site, margin, hidden);
       const bool dark = share < (upper ? 0.08 : 0.03);
-      v.colour = dark ? lash : (share < 0.15 ? shaded(skin, 0.97) : skin);
+      v.colour = dark ? lash : (share < 0.15 ? skin * 0.97 : skin);
+      v.importance = outside && share < 0.5 ? 20.0 : 0.3;
     }
   }
   sites.front() = {piece, 0.0, -1.0, 0.5 * (kLidInside + kLidOutside)};
@@ -98,9 +103,9 @@ void add_lid(Head& head, const Measurements& table, bool upper) {
   add_piece(head, grid, sites, true);
 }
 
-void add_brow(Head& head, const Measurements& table) {
-  constexpr int kRows = 15;
-  constexpr int kRound = 10;
+void add_brow(Head& head) {
+  constexpr int kRows = 21;
+  constexpr int kRound = 12;
   const Field field = [&](const Vec3& p) { return skull_field(p, head.eye_x); };
   Grid grid(kRows, kRound, false, Part::kBrow);
   std::vector<Site> sites(grid.points.size() + 2);
@@ -126,7 +131,8 @@ void add_brow(Head& head, const Measurements& table) {
   grid.last_pole.point = middle(1.02);
   sites.front() = {Piece::kBrow, 0.0, 0.0, 0.0};
   sites.back() = {Piece::kBrow, 0.0, 1.0, 0.0};
-  paint(grid, [&](const Vec3&) { return colour_of(table.hair); });
+  paint(grid, [&](const Vec3&) { return Colour(Pigment::kHair); });
+  grid.weigh(8.0);
   add_piece(head, grid, sites, true);
 }
 
@@ -141,8 +147,8 @@ void add_teeth(Head& head, bool upper) {
   constexpr Level kLevels[] = {{0.0, 0.92}, {1.2, 0.985}, {7.5, 1.0}, {8.5, 0.99}, {13.0, 0.92}};
   constexpr int kRows = static_cast<int>(std::size(kLevels));
   Grid grid(kRows, kRound, true, Part::kTeeth);
-  const Colour tooth(238.0, 232.0, 216.0);
-  const Colour gum(176.0, 92.0, 92.0);
+  const Colour tooth(Pigment::kTooth);
+  const Colour gum(Pigment::kGum);
   for (int row = 0; row < kRows; ++row) {
     const Level& level = kLevels[upper ? row : kRows - 1 - row];
     for (int column = 0; column < kRound; ++column) {
@@ -154,13 +160,14 @@ void add_teeth(Head& head, bool upper) {
       Vertex& v = grid.at(row, column);
       v.point = Vec3(wide * level.share * inset * turn.sine, biting + rise * level.height,
                      79.5 + deep * level.share * inset * turn.cosine);
-      v.colour = level.height > 8.0 ? gum : (gap ? shaded(tooth, 0.86) : tooth);
+      v.colour = level.height > 8.0 ? gum : (gap ? tooth * 0.86 : tooth);
     }
   }
   grid.first_pole = grid.last_pole = grid.points.front();
   grid.first_pole.point = Vec3(0.0, upper ? biting : biting - 13.0, 79.5);
   grid.last_pole.point = Vec3(0.0, upper ? biting + 13.0 : biting, 79.5);
   (upper ? grid.last_pole : grid.first_pole).colour = gum;
+  grid.weigh(0.2);
   const Piece piece = upper ? Piece::kUpperTeeth : Piece::kLowerTeeth;
   add_piece(head, grid, std::vector<Site>(grid.points.size() + 2, Site{piece, 0.0, 0.0, 0.0}), false);
 }
@@ -170,7 +177,7 @@ void add_tongue(Head& head) {
   constexpr int kRound = 16;
   Grid grid(kRows, kRound, true, Part::kTongue);
   std::vector<Site> sites(grid.points.size() + 2);
-  const Colour pink(206.0, 104.0, 106.0);
+  const Colour pink(Pigment::kTongue);
   for (int row = 0; row < kRows; ++row) {
     const Angle bow = angle_deg(180.0 * (row + 1) / (kRows + 1));
     const double t = 0.5 - 0.5 * bow.cosine;
@@ -182,7 +189,7 @@ void add_tongue(Head& head) {
       Vertex& v = grid.at(row, column);
       v.point = Vec3(0.0 - wide * turn.sine, kMouthY - 4.0 + 4.6 * std::sqrt(bow.sine) * turn.cosine - furrow,
                      mix(60.0, 92.0, t));
-      v.colour = column == 0 ? shaded(pink, 0.84) : pink;
+      v.colour = column == 0 ? pink * 0.84 : pink;
       sites[1 + static_cast<size_t>(row * kRound + column)] = {Piece::kTongue, 0.0, t, 0.0};
     }
   }
@@ -204,11 +211,11 @@ Vec3 lid_point(const Site& site, double margin_deg, double hidden_deg) {
   return {x, radius * rise.sine + 0.05 * x, radius * rise.cosine};
 }
 
-void add_eyes(Head& head, const Measurements& table) {
-  add_ball(head, table);
-  add_lid(head, table, true);
-  add_lid(head, table, false);
-  add_brow(head, table);
+void add_eyes(Head& head) {
+  add_ball(head);
+  add_lid(head, true);
+  add_lid(head, false);
+  add_brow(head);
 }
 
 void add_mouth(Head& head) {

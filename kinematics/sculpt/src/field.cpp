@@ -58,18 +58,16 @@ double carve(double a, double b, double k) {
 }
 
 Vec3 cast(const Field& field, const Vec3& origin, const Vec3& direction, double reach) {
-  constexpr int kSteps = 160;
+  // Inwards by at least a hundred-and-sixtieth of the way, and by half of the distance that the field tells.
+  const double least = reach / 160.0;
   double outside = reach;
-  double inside = -1.0;
-  for (int step = kSteps; step >= 0; --step) {
-    const double t = reach * step / kSteps;
-    if (field(origin + direction * t) < 0.0) {
-      inside = t;
-      break;
-    }
-    outside = t;
+  double inside = reach;
+  for (double distance = field(origin + direction * inside); distance >= 0.0;
+       distance = field(origin + direction * inside)) {
+    if (inside <= 0.0) return origin;
+    outside = inside;
+    inside = positive(inside - (0.5 * distance > least ? 0.5 * distance : least));
   }
-  if (inside < 0.0) return origin;
   for (int step = 0; step < 30; ++step) {
     const double middle = 0.5 * (inside + outside);
     (field(origin + direction * middle) < 0.0 ? inside : outside) = middle;

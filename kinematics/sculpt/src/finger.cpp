@@ -23,13 +23,13 @@ double half_breadth(const DigitMeasurements& m, size_t joint) {
 
 }  // namespace
 
-Colour hand_colour(const Measurements& table, double facing) {
-  const Colour skin = colour_of(table.skin);
-  const Colour palm = skin * Vec3(1.045, 1.03, 1.02);
+Colour hand_colour(double facing) {
+  const Colour skin(Pigment::kSkin);
+  const Colour palm(Pigment::kPalm);
   return mix(palm, skin, smooth_step(-0.6, 0.4, facing));
 }
 
-Mesh sculpt_phalanx(const Measurements& table, int digit, int bone) {
+Sculpture sculpt_phalanx(const Measurements& table, int digit, int bone) {
   const DigitMeasurements& m = measures_of(table, digit);
   const DigitLine line = digit_line(table, digit);
   const bool thumb = digit == 0;
@@ -73,17 +73,17 @@ Mesh sculpt_phalanx(const Measurements& table, int digit, int bone) {
   tube.end = end;
   tube.up = back;
   tube.reach = 40.0;
-  tube.columns = thumb ? 14 : 12;
-  tube.rows =
-      last ? tube_rows(1, {0.0, 0.2, 0.4, 0.6, 0.8, 1.0}, 3) : tube_rows(1, {0.0, 0.16, 0.36, 0.62, 0.84, 1.0}, 2);
+  tube.columns = thumb ? 24 : 20;
+  tube.rows = last ? tube_rows(2, refined({0.0, 0.2, 0.4, 0.6, 0.8, 1.0}), 6)
+                   : tube_rows(2, refined({0.0, 0.16, 0.36, 0.62, 0.84, 1.0}), 4);
   Grid grid = cast_tube(field, tube, Part::kSkin);
 
-  const Colour flush = colour_of(table.skin) * Vec3(0.985, 0.90, 0.885);
+  const Colour flush(Pigment::kFlush);
   paint(grid, [&](const Vec3& p) {
     const double t = glm::dot(p, along);
     const Vec3 radial = normalised(p - along * t);
     const double facing = glm::dot(radial, back);
-    Colour c = hand_colour(table, facing);
+    Colour c = hand_colour(facing);
     if (!thumb) {
       // Between the fingers less light arrives: a darker tint there separates them.
       const double sideways = glm::dot(radial, side);
@@ -108,7 +108,7 @@ Mesh sculpt_phalanx(const Measurements& table, int digit, int bone) {
     const double to = bone_length * 0.985;
     const double outline[5][2] = {{0.0, 0.55}, {0.14, 0.92}, {0.5, 1.0}, {0.82, 0.96}, {1.0, 0.62}};
     Grid nail(5, 8, false, Part::kNail);
-    const Colour plate = colour_of(table.skin) * Vec3(1.03, 0.95, 0.95) + Vec3(8.0, 10.0, 10.0);
+    const Colour plate(Pigment::kNail);
     for (int row = 0; row < 5; ++row) {
       const double x = mix(from, to, outline[row][0]);
       const double width = half_width * outline[row][1];
@@ -120,7 +120,7 @@ Mesh sculpt_phalanx(const Measurements& table, int digit, int bone) {
         const bool sunk = row == 0;
         const double lift = turn.cosine > -0.1 ? (sunk ? -0.5 : 0.35 + 0.3 * turn.cosine) : -1.6;
         nail.at(row, column).point = skin + back * lift;
-        nail.at(row, column).colour = row == 4 ? mix(plate, Colour(250.0, 240.0, 232.0), 0.55) : plate;
+        nail.at(row, column).colour = row == 4 ? Pigment::kNailTip : plate;
       }
     }
     const auto pole = [&](double x) {
@@ -133,7 +133,19 @@ Mesh sculpt_phalanx(const Measurements& table, int digit, int bone) {
     nail.last_pole = pole(to + 0.15);
     append(shape, nail);
   }
-  return finish(shape);
+  Sculpture made = finish(shape);
+  // Bent at both ends; the ball of the thumb does not bend at its root.
+  const auto half = [&](size_t at) {
+    return at == 0 ? 0.2 * m.bones[0] : (at == 1 ? 0.34 * std::min(m.bones[0], m.bones[1]) : 0.3 * m.bones[1]);
+  };
+  for (const double degrees : {100.0, -40.0}) {
+    std::vector<Turning> joints;
+    if (!(thumb && bone == 0)) joints.push_back({Vec3(0.0), along, side, -half(joint), half(joint), degrees, 0.0});
+    if (!last)
+      joints.push_back({along * m.bones[joint], along, side, -half(joint + 1), half(joint + 1), 0.0, -degrees});
+    made.poses.push_back(turned(points_of(shape), joints));
+  }
+  return made;
 }
 
 }  // namespace auslan::sculpt

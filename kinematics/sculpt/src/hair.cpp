@@ -31,7 +31,7 @@ double hairline(double bearing_deg) {
 
 }  // namespace
 
-void add_hair(Head& head, const Measurements& table) {
+void add_hair(Head& head) {
   constexpr int kRound = 66;
   /// Share of the way from the hairline to the crown, and how much of the full thickness.
   struct Row {
@@ -40,7 +40,7 @@ void add_hair(Head& head, const Measurements& table) {
   constexpr Row kRows[] = {{0.0, -1.0}, {0.0, 0.12}, {0.03, 0.42}, {0.08, 0.68}, {0.16, 0.88}, {0.26, 1.0},
                            {0.38, 1.0}, {0.52, 1.0}, {0.66, 1.0},  {0.80, 1.0},  {0.92, 1.0}};
   const Field field = [&](const Vec3& p) { return skull_field(p, head.eye_x); };
-  const Colour hair = colour_of(table.hair);
+  const Colour hair(Pigment::kHair);
   Grid grid(static_cast<int>(std::size(kRows)), kRound, true, Part::kHair);
   for (int row = 0; row < grid.rows; ++row) {
     for (int column = 0; column < grid.filled_columns(); ++column) {
@@ -58,7 +58,7 @@ void add_hair(Head& head, const Measurements& table) {
       const double full = 4.0 + 6.0 * top + 3.5 * top * front + lock;
       Vertex& v = grid.at(row, column);
       v.point = skin + direction * (kRows[row].thick < 0.0 ? -5.0 : full * kRows[row].thick);
-      v.colour = shaded(hair, (column * 7) % 5 == 0 ? 1.05 : ((column * 3) % 4 == 0 ? 0.86 : 0.97));
+      v.colour = hair * ((column * 7) % 5 == 0 ? 1.2 : ((column * 3) % 4 == 0 ? 0.86 : 0.97));
     }
   }
   grid.first_pole.point = kHairCentre;
@@ -67,7 +67,7 @@ void add_hair(Head& head, const Measurements& table) {
   add_piece(head, grid, std::vector<Site>(grid.points.size() + 2, Site{Piece::kHair, 0.0, 0.0, 0.0}), false);
 }
 
-void add_ears(Head& head, const Measurements& table) {
+void add_ears(Head& head) {
   /// From the root inside the head over the back and the rim into the bowl: share of the outline, height over the head.
   struct Row {
     double share, height, tone;
@@ -77,7 +77,7 @@ void add_ears(Head& head, const Measurements& table) {
                            {0.50, 6.2, 0.92}, {0.38, 2.2, 0.72}, {0.2, 0.6, 0.62}};
   constexpr int kRound = 20;
   const Vec3 centre(71.0, 39.0, -6.0);
-  const Colour ear = mix(colour_of(table.skin), colour_of(table.lips), 0.22);
+  const Colour ear = mix(Pigment::kSkin, Pigment::kLips, 0.22);
   Grid grid(static_cast<int>(std::size(kRows)), kRound, false, Part::kEar);
   for (int row = 0; row < grid.rows; ++row) {
     const Row& spec = kRows[row];
@@ -93,13 +93,13 @@ void add_ears(Head& head, const Measurements& table) {
       const double height = mix(spec.height, spec.height < 0.0 ? spec.height : 5.0, lobe * 0.8);
       grid.at(row, column).point =
           centre + Vec3(height - 0.34 * z * spec.share - inwards, y * spec.share, (z - 0.22 * y) * spec.share);
-      grid.at(row, column).colour = shaded(ear, mix(spec.tone, 1.0, lobe));
+      grid.at(row, column).colour = ear * mix(spec.tone, 1.0, lobe);
     }
   }
   grid.first_pole.point = centre + Vec3(-12.0, 0.0, 0.0);
   grid.first_pole.colour = ear;
   grid.last_pole.point = centre + Vec3(0.5, -2.0, 2.0);
-  grid.last_pole.colour = shaded(ear, 0.55);
+  grid.last_pole.colour = ear * 0.55;
   add_piece(head, grid, std::vector<Site>(grid.points.size() + 2, Site{Piece::kEar, 0.0, 0.0, 0.0}), true);
 }
 

@@ -56,15 +56,15 @@ double skull_field(const Vec3& p, double eye_x);
 /// Unit, out of the surface near p.
 Vec3 field_normal(const Vec3& p, double eye_x);
 /// The skin's colour at a place: redder cheeks, nose and chin, shade over the eyes, dark nostrils.
-Colour skin_colour(const Measurements& table, const Vec3& p);
+Colour skin_colour(const Vec3& p);
 
 /// Skin with the mouth's pocket.
-void add_skin(Head& head, const Measurements& table);
+void add_skin(Head& head);
 /// Hair and ears.
-void add_hair(Head& head, const Measurements& table);
-void add_ears(Head& head, const Measurements& table);
+void add_hair(Head& head);
+void add_ears(Head& head);
 /// Eyeballs, lids and brows.
-void add_eyes(Head& head, const Measurements& table);
+void add_eyes(Head& head);
 /// Teeth and tongue.
 void add_mouth(Head& head);
 /// Appends a grid whose points have the given sites (poles first and last, as append() orders them). `both` appends the

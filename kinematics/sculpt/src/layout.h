@@ -29,16 +29,16 @@ DigitLine digit_line(const Measurements& table, int digit);
 inline constexpr double kEyeLevel = 50.0;
 
 /// The skin of the hand: the back a little darker than the palm; `facing` is 1 on the back, -1 on the palm's side.
-Colour hand_colour(const Measurements& table, double facing);
+Colour hand_colour(double facing);
 
 /// The meshes, each in its node's frame; arms and hands of the left side.
-Mesh sculpt_trunk(const Measurements& table);
-Mesh sculpt_neck(const Measurements& table);
-Mesh sculpt_head(const Measurements& table);
-Mesh sculpt_upper_arm(const Measurements& table);
-Mesh sculpt_forearm(const Measurements& table);
-Mesh sculpt_palm(const Measurements& table);
+Sculpture sculpt_trunk(const Measurements& table);
+Sculpture sculpt_neck(const Measurements& table);
+Sculpture sculpt_head(const Measurements& table);
+Sculpture sculpt_upper_arm(const Measurements& table);
+Sculpture sculpt_forearm(const Measurements& table);
+Sculpture sculpt_palm(const Measurements& table);
 /// bone: 0 the one at the root.
-Mesh sculpt_phalanx(const Measurements& table, int digit, int bone);
+Sculpture sculpt_phalanx(const Measurements& table, int digit, int bone);
 
 }  // namespace auslan::sculpt

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sculpt/measurements.h"
 
+#include "kinematics/figure_file.h"
+
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -64,6 +66,25 @@ class Reader {
     if (!node->is_table()) refuse(*node, label(key) + " must be a section, written [" + std::string(key) + "]");
     return node->is_table() ? *node->as_table() : kEmpty;
   }
+
+  /// The tables of a list, written [[key]]: 1 to `most`, else an error.
+  std::vector<const toml::table*> sections(std::string_view key, size_t most) {
+    std::vector<const toml::table*> found;
+    const toml::node* node = find(key);
+    if (node == nullptr) return found;
+    const toml::array* list = node->as_array();
+    if (list == nullptr || list->empty() || list->size() > most || !list->is_homogeneous(toml::node_type::table)) {
+      refuse(*node, label(key) + " must be 1 to " + std::to_string(most) + " sections, each written [[" +
+                        std::string(key) + "]]");
+      return found;
+    }
+    for (const toml::node& section : *list)
+      found.push_back(section.as_table());
+    return found;
+  }
+
+  /// An error of the section as a whole.
+  void refuse_all(std::string message) { refuse(table_, std::move(message)); }
 
   /// The first error of this section: what went wrong above, else a key nobody asked for.
   std::optional<Error> error() {
@@ -145,6 +166,17 @@ constexpr Length kHand[] = {{"hand_length", &Measurements::hand_length, 140, 230
                             {"palm_thickness", &Measurements::palm_thickness, 20, 38},
                             {"thumb_angle_deg", &Measurements::thumb_angle_deg, 20, 60},
                             {"thumb_drop_deg", &Measurements::thumb_drop_deg, 0, 40}};
+struct ColourKey {
+  std::string_view key;
+  TableColour TableAppearance::*value;
+};
+constexpr ColourKey kColours[] = {{"skin", &TableAppearance::skin},
+                                  {"hair", &TableAppearance::hair},
+                                  {"shirt", &TableAppearance::shirt},
+                                  {"trousers", &TableAppearance::trousers},
+                                  {"iris", &TableAppearance::iris},
+                                  {"lips", &TableAppearance::lips},
+                                  {"background", &TableAppearance::background}};
 constexpr const char* kDigitNames[] = {"thumb", "index", "middle", "ring", "little"};
 
 TableColour colour(Reader& reader, std::string_view key) {
@@ -182,14 +214,19 @@ Result<Measurements> read(const toml::table& root, const std::string& file) {
     reader.numbers("breadths", m.breadths.data(), 3, 9.0, 36.0);
     keep(reader);
   }
-  Reader colours(top.section("colour"), "colour", file);
-  out.skin = colour(colours, "skin");
-  out.hair = colour(colours, "hair");
-  out.shirt = colour(colours, "shirt");
-  out.trousers = colour(colours, "trousers");
-  out.iris = colour(colours, "iris");
-  out.lips = colour(colours, "lips");
-  for (Reader* reader : {&top, &body, &arm, &head, &hand, &colours})
+  for (const toml::table* section : top.sections("appearance", kMaxFigureAppearances)) {
+    Reader reader(*section, "appearance", file);
+    TableAppearance look;
+    look.name = reader.text("name");
+    for (const auto& [key, value] : kColours)
+      look.*value = colour(reader, key);
+    for (const TableAppearance& other : out.appearances)
+      if (other.name == look.name)
+        reader.refuse_all("appearance.name must differ from the others; \"" + look.name + "\" is taken");
+    out.appearances.push_back(std::move(look));
+    keep(reader);
+  }
+  for (Reader* reader : {&top, &body, &arm, &head, &hand})
     keep(*reader);
   if (error) return tl::unexpected<Error>(*error);
   return out;

@@ -10,7 +10,7 @@
 
 namespace auslan::sculpt {
 
-Mesh sculpt_palm(const Measurements& table) {
+Sculpture sculpt_palm(const Measurements& table) {
   const double wrist = table.wrist_circumference / (2.0 * kPi);
   const double thick = table.palm_thickness;
   const DigitLine thumb = digit_line(table, 0);
@@ -60,8 +60,9 @@ Mesh sculpt_palm(const Measurements& table) {
   tube.up = Vec3(0.0, 1.0, 0.0);
   tube.spread_side = breadth * 0.40;
   tube.reach = 90.0;
-  tube.columns = 44;
-  tube.rows = tube_rows(0, {0.0, 0.07, 0.14, 0.22, 0.3, 0.38, 0.46, 0.54, 0.62, 0.7, 0.78, 0.86, 0.93, 1.0}, 5);
+  tube.columns = 72;
+  tube.rows =
+      tube_rows(0, refined({0.0, 0.07, 0.14, 0.22, 0.3, 0.38, 0.46, 0.54, 0.62, 0.7, 0.78, 0.86, 0.93, 1.0}), 9);
   // At the wrist rays start close to the axis; further on from the whole breadth.
   Grid grid(static_cast<int>(tube.rows.size()) + 2, tube.columns, false, Part::kSkin);
   const auto ring = [&](int row, double spread, double start_x, double tilt_deg) {
@@ -83,10 +84,10 @@ Mesh sculpt_palm(const Measurements& table) {
   grid.first_pole.point = cast(field, tube.start, Vec3(-1.0, 0.0, 0.0), tube.reach);
   grid.last_pole.point = cast(field, tube.end, Vec3(1.0, 0.0, 0.0), tube.reach);
 
-  const Colour skin = colour_of(table.skin);
-  const Colour flush = skin * Vec3(0.985, 0.91, 0.895);
+  const Colour skin(Pigment::kSkin);
+  const Colour flush(Pigment::kFlush);
   const auto colour_at = [&](const Vec3& p, const Vec3& normal) {
-    Colour c = hand_colour(table, normal.y);
+    Colour c = hand_colour(normal.y);
     for (int digit = 1; digit <= 4; ++digit) {
       const double near = length(p - knuckle(digit) - Vec3(0.0, 7.0, 0.0));
       c = mix(c, flush, 0.6 * (1.0 - smooth_step(3.0, 10.0, near)) * smooth_step(0.0, 0.6, normal.y));
@@ -107,7 +108,23 @@ Mesh sculpt_palm(const Measurements& table) {
   const std::vector<Vec3> normals = smooth_normals(shape);
   for (size_t i = 0; i < shape.vertices.size(); ++i)
     shape.vertices[i].colour = colour_at(shape.vertices[i].point, normals[i]);
-  return finish(shape);
+  Sculpture made = finish(shape);
+  // The wrist bends at its beginning, the knuckles at its end.
+  const Vec3 along(1.0, 0.0, 0.0), side(0.0, 0.0, 1.0), up(0.0, 1.0, 0.0);
+  const double half = 0.075 * table.forearm;
+  const double gap = length(knuckle(1) - knuckle(4)) / 3.0;
+  for (const double degrees : {-90.0, 40.0}) {
+    std::vector<Turning> joints = {{Vec3(0.0), along, side, -half, half, -0.8 * degrees, 0.0},
+                                   {Vec3(0.0), along, up, -half, half, 0.4 * degrees, 0.0}};
+    for (int digit = 1; digit <= 4; ++digit) {
+      const double reach = 0.2 * table.digits[static_cast<size_t>(digit)].bones[0];
+      const double splay = (digit % 2 == 0 ? 0.3 : -0.3) * degrees;
+      joints.push_back({knuckle(digit), along, up, -reach, reach, 0.0, splay, 0.5 * gap, gap});
+      joints.push_back({knuckle(digit), along, side, -reach, reach, 0.0, degrees, 0.5 * gap, gap});
+    }
+    made.poses.push_back(turned(points_of(shape), joints));
+  }
+  return made;
 }
 
 }  // namespace auslan::sculpt

@@ -45,6 +45,14 @@ DigitLine digit_line(const Measurements& table, int digit) {
 
 namespace {
 
+/// Triangles of a segment.
+struct Budget {
+  size_t low, normal;
+};
+constexpr Budget kTrunkBudget{400, 2300}, kNeckBudget{90, 360}, kHeadBudget{1960, 6700};
+constexpr Budget kUpperArmBudget{150, 560}, kForearmBudget{130, 440}, kPalmBudget{400, 1150};
+constexpr Budget kPhalanxBudget{42, 180}, kTipBudget{58, 240};  // the last bone has a nail
+
 constexpr std::array<std::array<std::string_view, 3>, 5> kDigitNodes = {{{"thumb_cmc", "thumb_mp", "thumb_ip"},
                                                                          {"index_mp", "index_pip", "index_dip"},
                                                                          {"middle_mp", "middle_pip", "middle_dip"},
@@ -85,30 +93,43 @@ Result<Skeleton> sculpt_skeleton(const Measurements& table) {
   return Skeleton::build(std::move(nodes));
 }
 
-Result<Figure> sculpt_figure(const Measurements& table) {
+Result<Figure> sculpt_figure(const Measurements& table, Detail detail) {
   Result<Skeleton> skeleton = sculpt_skeleton(table);
   if (!skeleton) return tl::unexpected<Error>(skeleton.error());
   Figure figure;
   figure.name = table.name;
   figure.skeleton = std::move(*skeleton);
   figure.segments.resize(static_cast<size_t>(figure.skeleton.size()));
-  const auto place = [&figure](const std::string& name, Mesh mesh) {
-    figure.segments[static_cast<size_t>(figure.skeleton.find(name))] = std::move(mesh);
+  for (const TableAppearance& look : table.appearances)
+    figure.appearances.push_back(sculpt::appearance_of(look));
+  const auto finished = [&](sculpt::Sculpture made, const sculpt::Budget& budget) {
+    for (size_t i = 0; i < made.mesh.paint.size(); ++i)
+      made.mesh.colours[i] = painted(made.mesh.paint[i], figure.appearances.front());
+    if (detail == Detail::kHigh) return std::move(made.mesh);
+    return sculpt::reduced(made, detail == Detail::kLow ? budget.low : budget.normal);
   };
-  const auto place_both = [&place](const std::string& name, Mesh mesh) {
-    place(name + "_r", sculpt::mirrored(mesh));
-    place(name + "_l", std::move(mesh));
+  const auto segment = [&figure](const std::string& name) -> Mesh& {
+    return figure.segments[static_cast<size_t>(figure.skeleton.find(name))];
   };
-  place("spine_base", sculpt::sculpt_trunk(table));
-  place("neck_base", sculpt::sculpt_neck(table));
-  place("head_base", sculpt::sculpt_head(table));
-  place_both("shoulder", sculpt::sculpt_upper_arm(table));
-  place_both("elbow", sculpt::sculpt_forearm(table));
-  place_both("wrist", sculpt::sculpt_palm(table));
+  const auto place = [&](const std::string& name, sculpt::Sculpture made, const sculpt::Budget& budget) {
+    segment(name) = finished(std::move(made), budget);
+  };
+  const auto place_both = [&](const std::string& name, sculpt::Sculpture made, const sculpt::Budget& budget) {
+    Mesh& left = segment(name + "_l");
+    left = finished(std::move(made), budget);
+    segment(name + "_r") = sculpt::mirrored(left);
+  };
+  place("spine_base", sculpt::sculpt_trunk(table), sculpt::kTrunkBudget);
+  place("neck_base", sculpt::sculpt_neck(table), sculpt::kNeckBudget);
+  place("head_base", sculpt::sculpt_head(table), sculpt::kHeadBudget);
+  place_both("shoulder", sculpt::sculpt_upper_arm(table), sculpt::kUpperArmBudget);
+  place_both("elbow", sculpt::sculpt_forearm(table), sculpt::kForearmBudget);
+  place_both("wrist", sculpt::sculpt_palm(table), sculpt::kPalmBudget);
   for (int digit = 0; digit < 5; ++digit) {
     for (int bone = 0; bone < 3; ++bone) {
       const std::string_view name = sculpt::kDigitNodes[static_cast<size_t>(digit)][static_cast<size_t>(bone)];
-      place_both(std::string(name), sculpt::sculpt_phalanx(table, digit, bone));
+      place_both(std::string(name), sculpt::sculpt_phalanx(table, digit, bone),
+                 bone == 2 ? sculpt::kTipBudget : sculpt::kPhalanxBudget);
     }
   }
   return figure;

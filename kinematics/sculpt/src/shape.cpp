@@ -20,20 +20,7 @@ void quad(Shape& shape, uint32_t a, uint32_t b, uint32_t c, uint32_t d, bool thr
   }
 }
 
-uint8_t channel(double value) {
-  const double bounded = value < 0.0 ? 0.0 : (value > 255.0 ? 255.0 : value);
-  return static_cast<uint8_t>(bounded + 0.5);
-}
-
 }  // namespace
-
-Colour colour_of(const TableColour& c) {
-  return {c.red, c.green, c.blue};
-}
-
-Colour shaded(const Colour& c, double factor) {
-  return factor <= 1.0 ? c * factor : mix(c, Colour(255.0), factor - 1.0);
-}
 
 Grid::Grid(int row_count, int column_count, bool is_symmetric, Part which)
     : rows(row_count),
@@ -41,6 +28,12 @@ Grid::Grid(int row_count, int column_count, bool is_symmetric, Part which)
       symmetric(is_symmetric),
       part(which),
       points(static_cast<size_t>(row_count * column_count)) {}
+
+void Grid::weigh(double importance) {
+  for (Vertex& v : points)
+    v.importance = importance;
+  first_pole.importance = last_pole.importance = importance;
+}
 
 uint32_t append(Shape& shape, Grid grid) {
   const auto base = static_cast<uint32_t>(shape.vertices.size());
@@ -64,12 +57,10 @@ uint32_t append(Shape& shape, Grid grid) {
       } else {
         v.mirror = index(row, column);
       }
-      v.part = grid.part;
     }
   }
   for (Vertex* pole : {&grid.first_pole, &grid.last_pole}) {
     if (grid.symmetric) pole->point.x = 0.0;
-    pole->part = grid.part;
   }
   grid.first_pole.mirror = first;
   grid.last_pole.mirror = last;
@@ -105,7 +96,6 @@ uint32_t append_ring(Shape& shape, Grid grid) {
         v.point.x = 0.0;
       }
       v.mirror = grid.symmetric ? index(other, column) : index(row, column);
-      v.part = grid.part;
     }
   }
   shape.vertices.insert(shape.vertices.end(), grid.points.begin(), grid.points.end());
@@ -162,16 +152,44 @@ std::vector<Vec3> smooth_normals(const Shape& shape) {
   return normals;
 }
 
-Mesh finish(const Shape& shape) {
-  Mesh mesh;
+Sculpture finish(const Shape& shape) {
+  Sculpture out;
   for (const Vertex& v : shape.vertices) {
-    mesh.positions.emplace_back(v.point * 0.001);
-    mesh.colours.emplace_back(channel(v.colour.x), channel(v.colour.y), channel(v.colour.z), uint8_t{255});
+    out.mesh.positions.emplace_back(v.point * 0.001);
+    out.mesh.paint.push_back(paint_of(v.colour));
+    out.mirror.push_back(v.mirror);
+    out.importance.push_back(v.importance);
   }
+  out.mesh.colours.assign(shape.vertices.size(), glm::u8vec4(255));
   for (const Vec3& n : smooth_normals(shape))
-    mesh.normals.emplace_back(n);
-  mesh.indices = shape.triangles;
-  return mesh;
+    out.mesh.normals.emplace_back(n);
+  out.mesh.indices = shape.triangles;
+  return out;
+}
+
+std::vector<Vec3> points_of(const Shape& shape) {
+  std::vector<Vec3> points;
+  for (const Vertex& v : shape.vertices)
+    points.push_back(v.point);
+  return points;
+}
+
+std::vector<Vec3> turned(std::vector<Vec3> points, const std::vector<Turning>& joints) {
+  for (Vec3& point : points) {
+    // Where a point was at rest says how much of each turn it takes.
+    const Vec3 rest = point;
+    for (const Turning& joint : joints) {
+      const Vec3 place = rest - joint.joint;
+      const double t = glm::dot(place, joint.along);
+      const double share = smooth_step(joint.low, joint.high, t);
+      const double near = 1.0 - smooth_step(joint.near, joint.far, length(place - joint.along * t));
+      const Angle turn = angle_deg(near * mix(joint.before_deg, joint.behind_deg, share));
+      const Vec3 arm = point - joint.joint;
+      const Vec3 axis = joint.about * glm::dot(joint.about, arm);
+      point = joint.joint + axis + (arm - axis) * turn.cosine + glm::cross(joint.about, arm) * turn.sine;
+    }
+  }
+  return points;
 }
 
 Mesh mirrored(const Mesh& mesh) {
@@ -182,6 +200,15 @@ Mesh mirrored(const Mesh& mesh) {
     n.x = 0.0F - n.x;
   for (size_t i = 0; i < out.indices.size(); i += 3)
     std::swap(out.indices[i + 1], out.indices[i + 2]);
+  return out;
+}
+
+std::vector<double> refined(const std::vector<double>& places) {
+  std::vector<double> out;
+  for (size_t i = 0; i < places.size(); ++i) {
+    if (i > 0) out.push_back(0.5 * (places[i - 1] + places[i]));
+    out.push_back(places[i]);
+  }
   return out;
 }
 

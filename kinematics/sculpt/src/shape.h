@@ -4,8 +4,8 @@
 #pragma once
 
 #include "field.h"
-#include "kinematics/figure.h"
-#include "sculpt/measurements.h"
+#include "pigment.h"
+#include "reduce.h"
 
 #include <cstdint>
 #include <functional>
@@ -13,24 +13,14 @@
 
 namespace auslan::sculpt {
 
-/// sRGB, 0 to 255 a channel.
-using Colour = Vec3;
-Colour colour_of(const TableColour& c);
-/// The colour scaled towards black (factor < 1) or towards white (factor > 1).
-Colour shaded(const Colour& c, double factor);
-
-/// What a vertex belongs to: face morphs move parts differently.
+/// What a grid is made of.
 enum class Part : uint8_t { kSkin, kEyeball, kBrow, kHair, kEar, kTeeth, kTongue, kNail, kCloth };
-
-/// What a vertex of the face's grid is, beside its place.
-enum class Line : uint8_t { kNone, kLidUpper, kLidLower, kEyePocket, kLipUpper, kLipLower, kMouthPocket };
 
 struct Vertex {
   Vec3 point{0.0};
-  Colour colour{0.0};
-  Part part = Part::kSkin;
-  Line line = Line::kNone;
-  uint32_t mirror = 0;  ///< its mirror image across x = 0; itself where there is none or it lies on the plane
+  Colour colour;
+  double importance = 1.0;  ///< of errors there, when triangles are saved
+  uint32_t mirror = 0;      ///< its mirror image across x = 0; itself where there is none or it lies on the plane
 };
 
 struct Shape {
@@ -51,6 +41,8 @@ struct Grid {
 
   Grid(int row_count, int column_count, bool is_symmetric, Part which);
   Vertex& at(int row, int column) { return points[static_cast<size_t>(row * columns + column)]; }
+  /// Sets the importance of every point.
+  void weigh(double importance);
   /// How many columns of a row have to be filled in.
   int filled_columns() const { return symmetric ? columns / 2 + 1 : columns; }
 };
@@ -63,10 +55,24 @@ uint32_t append_ring(Shape& shape, Grid grid);
 /// Appends the mirror image of everything from vertex `first` and triangle index `first_index` on, linked both ways.
 void append_mirrored(Shape& shape, uint32_t first, size_t first_index);
 
-/// Metres, float, smooth normals (area-weighted over the triangles round a vertex). Mirrored vertices come out exact.
-Mesh finish(const Shape& shape);
+/// Metres, float, painted, smooth normals (area-weighted over the triangles round a vertex). Mirrored vertices come out
+/// exact. Colours are left to the appearance.
+Sculpture finish(const Shape& shape);
 /// Unit normals of a shape as it stands.
 std::vector<Vec3> smooth_normals(const Shape& shape);
+/// A joint that turns what lies before and behind it, and fades from one to the other between `low` and `high`
+/// millimetres along a bone: much as the skin of a posed figure does.
+struct Turning {
+  Vec3 joint{0.0};
+  Vec3 along{1.0, 0.0, 0.0};  ///< unit
+  Vec3 about{0.0, 1.0, 0.0};  ///< unit
+  double low = 0.0, high = 0.0;
+  double before_deg = 0.0, behind_deg = 0.0;
+  double near = 1e6, far = 2e6;  ///< all of it up to so far from the axis `along`, nothing from there on
+};
+std::vector<Vec3> points_of(const Shape& shape);
+/// The points turned, one joint after the other.
+std::vector<Vec3> turned(std::vector<Vec3> points, const std::vector<Turning>& joints);
 /// The mirror image of a whole mesh across x = 0.
 Mesh mirrored(const Mesh& mesh);
 
@@ -86,6 +92,8 @@ struct Tube {
   bool symmetric = false;
   std::vector<TubeRow> rows;
 };
+/// A table with the mean of every two neighbours between them.
+std::vector<double> refined(const std::vector<double>& places);
 /// Cap rows, then the body's rows at the given places, then cap rows.
 std::vector<TubeRow> tube_rows(int start_cap, const std::vector<double>& body, int end_cap);
 /// Casts the tube's rays onto the field. Colours are left to the caller.

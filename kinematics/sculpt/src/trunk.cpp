@@ -37,7 +37,7 @@ double neck_radius(const Measurements& table) {
 
 }  // namespace
 
-Mesh sculpt_trunk(const Measurements& table) {
+Sculpture sculpt_trunk(const Measurements& table) {
   const TrunkJoints joints = trunk_joints(table);
   const auto up = [&](double world_height) { return world_height - joints.spine_base.y; };
   const Vec3 shoulder = joints.shoulder - joints.spine_base;
@@ -90,15 +90,15 @@ Mesh sculpt_trunk(const Measurements& table) {
   tube.up = normalised(glm::cross(Vec3(1.0, 0.0, 0.0), normalised(tube.end - tube.start)));
   tube.spread_side = 100.0;
   tube.reach = 330.0;
-  tube.columns = 44;
+  tube.columns = 72;
   tube.symmetric = true;
   tube.rows = {{0.0, -70.0}, {0.0, -20.0}, {0.0, -10.0}};
-  for (int i = 0; i <= 17; ++i)
-    tube.rows.push_back({i / 17.0, 0.0});
-  for (const double tilt : {9.0, 18.0, 27.0, 36.0, 44.0, 52.0, 60.0, 67.0, 73.0, 79.0, 84.0})
+  for (int i = 0; i <= 27; ++i)
+    tube.rows.push_back({i / 27.0, 0.0});
+  for (const double tilt : refined({9.0, 18.0, 27.0, 36.0, 44.0, 52.0, 60.0, 67.0, 73.0, 79.0, 84.0}))
     tube.rows.push_back({1.0, tilt});
   Grid body = cast_tube(shirt, tube, Part::kCloth);
-  const Colour cloth_colour = colour_of(table.shirt);
+  const Colour cloth_colour(Pigment::kShirt);
   paint(body, [&](const Vec3& p) {
     // Soft folds: a little darker towards the hem and under the arms.
     const double low = 1.0 - smooth_step(-120.0, 40.0, p.y);
@@ -111,16 +111,16 @@ Mesh sculpt_trunk(const Measurements& table) {
 
   // The collar: a ribbed band round the foot of the neck, higher at the back.
   const double collar_radius = neck_radius(table) + 9.0;
-  Grid collar(36, 8, true, Part::kCloth);
-  for (int row = 0; row < 36; ++row) {
-    const Angle turn = angle_deg(10.0 * row);
+  Grid collar(48, 10, true, Part::kCloth);
+  for (int row = 0; row < 48; ++row) {
+    const Angle turn = angle_deg(7.5 * row);
     const Vec3 radial(turn.sine, 0.0, turn.cosine);
     const double front = 0.5 * (1.0 + turn.cosine);
     Vec3 centre = Vec3(neck.x, 0.0, neck.z + 3.0) + radial * (collar_radius + 2.0 * front);
     centre.y = neckline(centre.z) - 1.0;
     const Vec3 tilted = normalised(Vec3(radial.x * -0.30, 1.0, radial.z * -0.30 + 0.30));
-    for (int column = 0; column < 8; ++column) {
-      const Angle round = angle_deg(45.0 * column);
+    for (int column = 0; column < 10; ++column) {
+      const Angle round = angle_deg(36.0 * column);
       Vertex& v = collar.at(row, column);
       v.point = centre + radial * (round.sine * 4.5) + tilted * (round.cosine * 8.0);
       v.colour = cloth_colour * 0.80;
@@ -129,7 +129,7 @@ Mesh sculpt_trunk(const Measurements& table) {
   append_ring(shape, collar);
 
   // Hips and thighs down to where no camera looks.
-  const Colour trousers = colour_of(table.trousers);
+  const Colour trousers(Pigment::kTrousers);
   const double hip = 0.5 * table.hip_breadth;
   const Field legs = [=](const Vec3& p) {
     const Vec3 q(p.x < 0.0 ? -p.x : p.x, p.y, p.z);
@@ -151,11 +151,12 @@ Mesh sculpt_trunk(const Measurements& table) {
   below.rows = tube_rows(2, {0.0, 0.2, 0.4, 0.6, 0.8, 1.0}, 2);
   Grid seat = cast_tube(legs, below, Part::kCloth);
   paint(seat, [&](const Vec3&) { return trousers; });
+  seat.weigh(0.1);
   append(shape, seat);
   return finish(shape);
 }
 
-Mesh sculpt_neck(const Measurements& table) {
+Sculpture sculpt_neck(const Measurements& table) {
   const TrunkJoints joints = trunk_joints(table);
   const Vec3 top = joints.head_base - joints.neck_base;
   const double radius = neck_radius(table);
@@ -178,11 +179,11 @@ Mesh sculpt_neck(const Measurements& table) {
   tube.end = Vec3(0.0, top.y, 6.0);
   tube.up = Vec3(0.0, 0.0, 1.0);
   tube.reach = 140.0;
-  tube.columns = 28;
+  tube.columns = 44;
   tube.symmetric = true;
-  tube.rows = tube_rows(1, {0.0, 0.15, 0.3, 0.45, 0.6, 0.75, 0.9, 1.0}, 1);
+  tube.rows = tube_rows(1, refined({0.0, 0.15, 0.3, 0.45, 0.6, 0.75, 0.9, 1.0}), 1);
   Grid grid = cast_tube(field, tube, Part::kSkin);
-  const Colour skin = colour_of(table.skin);
+  const Colour skin(Pigment::kSkin);
   // Under the chin and above the collar less light arrives.
   paint(grid, [&](const Vec3& p) {
     const double chin = smooth_step(20.0, 80.0, p.y) * smooth_step(0.0, 60.0, p.z);
@@ -190,7 +191,14 @@ Mesh sculpt_neck(const Measurements& table) {
   });
   Shape shape;
   append(shape, grid);
-  return finish(shape);
+  Sculpture made = finish(shape);
+  const Vec3 up(0.0, 1.0, 0.0);
+  for (const double degrees : {60.0, -60.0})
+    made.poses.push_back(
+        turned(points_of(shape), {{top, up, Vec3(1.0, 0.0, 0.0), -0.9 * top.y, -0.1 * top.y, 0.0, degrees},
+                                  {top, up, Vec3(0.0, 0.0, 1.0), -0.9 * top.y, -0.1 * top.y, 0.0, 40.0},
+                                  {top, up, up, -0.9 * top.y, -0.1 * top.y, 0.0, degrees}}));
+  return made;
 }
 
 }  // namespace auslan::sculpt

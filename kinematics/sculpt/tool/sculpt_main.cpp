@@ -6,10 +6,10 @@
 
 namespace {
 
-auslan::Result<void> sculpt(const std::filesystem::path& input, const std::filesystem::path& output) {
+auslan::Result<void> sculpt(const std::filesystem::path& input, const std::filesystem::path& output, size_t detail) {
   const auto table = auslan::read_measurements(input);
   if (!table) return tl::unexpected(table.error());
-  const auto figure = auslan::sculpt_figure(*table);
+  const auto figure = auslan::sculpt_figure(*table, static_cast<auslan::Detail>(detail));
   if (!figure) return tl::unexpected(figure.error());
   return auslan::write_gltf(*figure, output);
 }
@@ -23,6 +23,10 @@ int main(int argc, char** argv) {
        .output = "OUT.glb",
        .about = "Makes the figure of a signer from a table of measurements: 39 joints, a closed mesh for each, a face "
                 "that moves.",
+       .choice = {.flag = "--detail",
+                  .words = auslan::kDetailNames,
+                  .otherwise = static_cast<size_t>(auslan::Detail::kNormal),
+                  .about = "5,000, 20,000 or 80,000 triangles"},
        .convert = sculpt},
       argc, argv);
 }

@@ -89,11 +89,19 @@ void add_source(CLI::App& app, Options& options) {
       ->type_name("STRING");
 }
 
+/// Which figure signs.
 void add_figure(CLI::App& app, Options& options) {
   app.add_option("--avatar", options.avatar,
                  "Another figure signs: any humanoid in .vrm, .glb or .gltf, of any size and rest pose, or a baked "
                  ".figure. `auslanjam avatar FILE` tells what it can do")
       ->type_name("FILE");
+  add_parsed(app, "--detail", "Of the signer: low, normal or high, about 5, 20 or 80 thousand triangles (normal)",
+             "NAME", [&options](const std::string& text) -> std::string {
+               if (text != "low" && text != "normal" && text != "high")
+                 return "takes low, normal or high, not \"" + text + "\"";
+               options.detail = text;
+               return {};
+             });
 }
 
 void add_performance(CLI::App& app, Options& options) {
@@ -292,7 +300,7 @@ std::variant<Options, ExitNow> parse_command_line(int argc, const char* const* a
       app.add_subcommand("experiment", "Repeat the paper's interpolation experiment: tables, plots, pictures");
   experiment->add_option("-o,--output", options.output, "The folder to fill; it is made when missing")
       ->type_name("FOLDER");
-  experiment->add_option("--avatar", options.avatar, "Another figure")->type_name("FILE");
+  add_figure(*experiment, options);
   CLI::App* bench = app.add_subcommand("bench", "Time the steps of a frame on this computer");
   add_bench(*bench, options);
   CLI::App* avatar = app.add_subcommand("avatar", "Tell what a figure of another maker has, and lacks for signing");

@@ -43,6 +43,8 @@ struct Options {
   StageOptions stage;
   int fps = 25;
   double speed = 1.0;
+  std::string detail = "normal";  ///< of the built-in figure: low, normal or high
+  std::string appearance;         ///< of the figure, by name; empty: its first
   std::string avatar;    ///< a figure in place of the built-in one; empty: built in; for the command avatar: its FILE
   std::string database;  ///< a database in place of the built-in one; empty: built in
   bool left_handed = false;

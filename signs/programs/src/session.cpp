@@ -42,6 +42,11 @@ Error as_usage(Error error) {
   return error;
 }
 
+/// The baked file of the built-in figure.
+std::string figure_name(const std::string& detail) {
+  return detail == "normal" ? "signer.figure" : "signer_" + detail + ".figure";
+}
+
 /// A lower bound of the time that a translation takes to sign at speed 1.
 double least_seconds(const Translation& translation) {
   double least = 0;
@@ -98,13 +103,15 @@ Result<const Figure*> Session::figure() {
   const bool foreign = ends_with(name, ".glb") || ends_with(name, ".gltf") || ends_with(name, ".vrm");
   // A figure of our own form keeps its smooth joints; everything else is a foreign avatar.
   auto figure = foreign ? read_gltf(options_.avatar)
-                        : read_figure(options_.avatar.empty() ? data_file("signer.figure")
+                        : read_figure(options_.avatar.empty() ? data_file(figure_name(options_.detail))
                                                               : std::filesystem::path(options_.avatar));
   if (foreign && !figure) {
     if (auto loaded = load_avatar(); !loaded) return tl::unexpected(loaded.error());
     return &avatar_->figure;
   }
   if (!figure) return tl::unexpected(figure.error());
+  if (!options_.appearance.empty())
+    if (auto worn = put_on(*figure, options_.appearance); !worn) return tl::unexpected(worn.error());
   figure_ = std::make_unique<Figure>(std::move(*figure));
   return figure_.get();
 }

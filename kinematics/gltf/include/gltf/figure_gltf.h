@@ -4,6 +4,9 @@
 // A figure is one scene of nodes. Each node has a name, a translation (metres) and at most one mesh; nothing is
 // rotated, scaled or skinned. A mesh is one indexed triangle list with POSITION, NORMAL, COLOR_0 (linear light, as glTF
 // has it) and morph targets of POSITION, named in mesh.extras.targetNames as ARKit names its blend shapes.
+// A figure with appearances has them in scene.extras.appearances (name, background, pigments as sRGB triples) and each
+// painted mesh an attribute _PAINT of four unsigned bytes: two pigments, the second's share in 255ths, the shade in
+// 200ths. COLOR_0 is what the figure wore when it was written.
 #pragma once
 
 #include "kinematics/figure.h"

@@ -8,6 +8,7 @@
 #include <array>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace auslan {
 
@@ -16,6 +17,12 @@ struct TableColour {
   double red = 0.0;
   double green = 0.0;
   double blue = 0.0;
+};
+
+/// One look of the signer.
+struct TableAppearance {
+  std::string name;
+  TableColour skin, hair, shirt, trousers, iris, lips, background;
 };
 
 /// One digit. All lengths in millimetres.
@@ -65,7 +72,7 @@ struct Measurements {
   double thumb_drop_deg = 0.0;              ///< how far the thumb points to the palm side of that plane
   std::array<DigitMeasurements, 5> digits;  ///< thumb, index, middle, ring, little
 
-  TableColour skin, hair, shirt, trousers, iris, lips;
+  std::vector<TableAppearance> appearances;  ///< at least one; the first is the one that the figure comes in
 };
 
 /// Reads and checks a table. kUnreadable when the file cannot be opened; kMalformed, with file:line, for bad TOML, a
