@@ -4,6 +4,8 @@ auslan_test(stage_avatar LABEL unit LIBRARIES auslan::stage)
 if(AUSLANJAM_PROGRAMS)
   auslan_test(stage_shadow LABEL unit LIBRARIES auslan::stage)
   add_dependencies(stage_shadow_test auslan_baked_figure)
+  auslan_test(figure_appearance LABEL unit LIBRARIES auslan::stage)
+  add_dependencies(figure_appearance_test auslan_baked_figure)
   auslan_test(signer_pictures LABEL golden
     LIBRARIES auslan::stage auslan::synthesis auslan::lexicon auslan::caption auslan::picture auslan::golden)
   add_dependencies(signer_pictures_test auslan_baked_figure auslan_built_lexicon)

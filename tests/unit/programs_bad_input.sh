@@ -96,10 +96,13 @@ case_bad_option_values() {
   local option
   for option in '--size 0x0' '--size 64' '--size 64x' '--size -64x48' '--size 100000x100000' '--size 64x48x2' \
     '--size 99999999999999999999x1' '--fps 0' '--fps -1' '--fps nan' '--fps 1e9' '--speed 0' '--speed -1' '--speed inf' \
-    '--aa 3' '--aa 0' '--aa 1000' '--shading nosuch' '--camera nosuch' '--at -1' '--at nan' '--at now'; do
+    '--aa 3' '--aa 0' '--aa 1000' '--shading nosuch' '--detail nosuch' '--camera nosuch' '--at -1' '--at nan' '--at now'; do
     # shellcheck disable=SC2086
     run render hurt -o x.png $option && refused 2 "${option%% *}"
   done
+}
+case_unknown_appearance() {
+  run render hurt -o x.png --appearance nosuch && refused 2 'nosuch.*fair-brown-petrol'
 }
 case_unknown_output_format() {
   run render hurt -o x.nosuch && refused 2 '\.(png|mp4|gif|y4m)'

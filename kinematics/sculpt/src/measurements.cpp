@@ -170,13 +170,11 @@ struct ColourKey {
   std::string_view key;
   TableColour TableAppearance::*value;
 };
-constexpr ColourKey kColours[] = {{"skin", &TableAppearance::skin},
-                                  {"hair", &TableAppearance::hair},
-                                  {"shirt", &TableAppearance::shirt},
-                                  {"trousers", &TableAppearance::trousers},
-                                  {"iris", &TableAppearance::iris},
-                                  {"lips", &TableAppearance::lips},
-                                  {"background", &TableAppearance::background}};
+constexpr ColourKey kColours[] = {
+    {"skin", &TableAppearance::skin},         {"palm", &TableAppearance::palm},
+    {"hair", &TableAppearance::hair},         {"shirt", &TableAppearance::shirt},
+    {"trousers", &TableAppearance::trousers}, {"iris", &TableAppearance::iris},
+    {"lips", &TableAppearance::lips},         {"background", &TableAppearance::background}};
 constexpr const char* kDigitNames[] = {"thumb", "index", "middle", "ring", "little"};
 
 TableColour colour(Reader& reader, std::string_view key) {

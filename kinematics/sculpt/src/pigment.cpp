@@ -48,11 +48,10 @@ Paint paint_of(const Colour& colour) {
 Appearance appearance_of(const TableAppearance& look) {
   const auto vector_of = [](const TableColour& c) { return Vec3(c.red, c.green, c.blue); };
   const Vec3 skin = vector_of(look.skin);
-  // The palm has little melanin: the darker the skin, the further it is from the back of the hand.
-  const double dark = 1.0 - (0.3 * skin.x + 0.59 * skin.y + 0.11 * skin.z) / 255.0;
-  const Vec3 palm = mix(skin * Vec3(1.045, 1.03, 1.02), Vec3(226.0, 172.0, 146.0), 0.55 * smooth_step(0.4, 0.85, dark));
-  const Vec3 nail = mix(skin * Vec3(1.03, 0.95, 0.95) + Vec3(8.0, 10.0, 10.0), Vec3(226.0, 172.0, 156.0),
-                        0.35 * smooth_step(0.4, 0.85, dark));
+  // Nails are as light as the palm, their edge whiter, but not on dark skin.
+  const Vec3 palm = vector_of(look.palm);
+  const Vec3 nail = palm * Vec3(1.02, 0.975, 0.99);
+  const double white = 0.55 * smooth_step(90.0, 200.0, palm.y);
   std::array<Vec3, kPigmentCount> colours{};
   const auto set = [&colours](Pigment pigment, const Vec3& colour) { colours[static_cast<size_t>(pigment)] = colour; };
   set(Pigment::kSkin, skin);
@@ -60,7 +59,7 @@ Appearance appearance_of(const TableAppearance& look) {
   set(Pigment::kFlush, skin * Vec3(0.985, 0.90, 0.885));
   set(Pigment::kLips, vector_of(look.lips));
   set(Pigment::kNail, nail);
-  set(Pigment::kNailTip, mix(nail, Vec3(250.0, 240.0, 232.0), 0.55));
+  set(Pigment::kNailTip, mix(nail, Vec3(250.0, 240.0, 232.0), white));
   set(Pigment::kHair, vector_of(look.hair));
   set(Pigment::kShirt, vector_of(look.shirt));
   set(Pigment::kTrousers, vector_of(look.trousers));

@@ -178,7 +178,7 @@ Result<void> run_bench(const Options& options) {
   if (!show) return tl::unexpected(show.error());
   const auto body = session.body();
   if (!body) return tl::unexpected(body.error());
-  auto stage = body->stage(options.stage);
+  auto stage = body->stage(session.stage());
   if (!stage) return tl::unexpected(stage.error());
   auto target = Target::open(options.stage);
   if (!target) return tl::unexpected(target.error());

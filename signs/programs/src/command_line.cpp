@@ -102,6 +102,9 @@ void add_figure(CLI::App& app, Options& options) {
                options.detail = text;
                return {};
              });
+  app.add_option("--appearance", options.appearance,
+                 "Of the signer's skin, hair and shirt, by name; \"list\" prints the names")
+      ->type_name("NAME");
 }
 
 void add_performance(CLI::App& app, Options& options) {
@@ -238,6 +241,7 @@ bool is_blank(const std::string& text) {
 
 /// What only makes sense together.
 std::string check(const Options& options) {
+  if (options.appearance == kListAppearances) return {};
   const Source& source = options.source;
   const int sources = (source.text ? 1 : 0) + (source.glosses.empty() ? 0 : 1) + (source.motion_file ? 1 : 0) +
                       (source.sigml_file ? 1 : 0) + (source.hamnosys ? 1 : 0);

@@ -9,8 +9,18 @@ namespace auslan {
 namespace {
 
 constexpr std::string_view kMark = "not checked by a Deaf signer";
-constexpr uint32_t kMarkColour = 0x8A3B12;
-constexpr uint32_t kGlossColour = 0x26343D;
+
+/// Mark and gloss stand straight on the background, light on a dark one.
+struct TextColours {
+  explicit TextColours(uint32_t background) {
+    const uint32_t red = background >> 16U & 255U, green = background >> 8U & 255U, blue = background & 255U;
+    if (3 * red + 6 * green + blue >= 10 * kLight) return;
+    mark = 0xFFD8B4;
+    gloss = 0xF4F7F9;
+  }
+  static constexpr uint32_t kLight = 150;  ///< of 255
+  uint32_t mark = 0x8A3B12, gloss = 0x26343D;
+};
 
 /// In pixels, from the height of the frame.
 struct TextSizes {
@@ -103,6 +113,7 @@ FrameMaker::Writing FrameMaker::writing_at(Tick time) const {
 
 void FrameMaker::write(const Writing& writing, FrameSpan frame) const {
   const TextSizes sizes(frame.height);
+  const TextColours colours(options_.stage.background);
   if (writing.sentence != nullptr) painter_.paint(frame, *writing.sentence, sizes.caption);
   // A span of the upper rows alone: what is written there cannot leave them.
   const int rows = upper_rows(frame.height, painter_);
@@ -110,9 +121,9 @@ void FrameMaker::write(const Writing& writing, FrameSpan frame) const {
                         rows};
   if (writing.gloss != nullptr)
     painter_.text(upper, frame.width - sizes.text / 2, sizes.text / 2 + painter_.ascent(sizes.gloss), *writing.gloss,
-                  sizes.gloss, kGlossColour, TextAlign::kRight);
+                  sizes.gloss, colours.gloss, TextAlign::kRight);
   if (writing.mark)
-    painter_.text(upper, sizes.mark, sizes.mark / 2 + painter_.ascent(sizes.mark), kMark, sizes.mark, kMarkColour);
+    painter_.text(upper, sizes.mark, sizes.mark / 2 + painter_.ascent(sizes.mark), kMark, sizes.mark, colours.mark);
 }
 
 }  // namespace auslan

@@ -30,6 +30,7 @@ namespace {
 
 auslan::Result<void> run(const auslan::Options& options) {
   using enum auslan::Command;
+  if (options.appearance == auslan::kListAppearances) return auslan::list_appearances(options);
   switch (options.command) {
     case kSign:
       return auslan::run_sign(options);

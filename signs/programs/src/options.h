@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace auslan {
@@ -33,6 +34,9 @@ struct Source {
   std::optional<std::string> sigml_file;
   std::optional<std::string> hamnosys;
 };
+
+/// As the appearance: print the names there are.
+inline constexpr std::string_view kListAppearances = "list";
 
 struct Options {
   Command command = Command::kSign;

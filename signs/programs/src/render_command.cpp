@@ -98,7 +98,7 @@ Result<void> render_to(const Options& options, Session& session, const Show& sho
     sink = std::move(*opened);
   }
   FrameOptions frames;
-  frames.stage = options.stage;
+  frames.stage = session.stage();
   frames.caption = caption;
   std::string digests;
   Progress progress("drawing", static_cast<int64_t>(times.size()), options.quiet);
@@ -143,7 +143,7 @@ Result<void> play(const Options& options, Session& session, const Show& show) {
   const auto body = session.body();
   if (!body) return tl::unexpected(body.error());
   FrameOptions frames;
-  frames.stage = options.stage;
+  frames.stage = session.stage();
   frames.caption = true;
   auto maker = FrameMaker::build(*body, show, frames);
   if (!maker) return tl::unexpected(maker.error());

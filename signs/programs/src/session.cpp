@@ -110,8 +110,13 @@ Result<const Figure*> Session::figure() {
     return &avatar_->figure;
   }
   if (!figure) return tl::unexpected(figure.error());
-  if (!options_.appearance.empty())
-    if (auto worn = put_on(*figure, options_.appearance); !worn) return tl::unexpected(worn.error());
+  if (!options_.appearance.empty() || !figure->appearances.empty()) {
+    const auto worn =
+        put_on(*figure, options_.appearance.empty() ? figure->appearances.front().name : options_.appearance);
+    if (!worn) return tl::unexpected(worn.error());
+    const glm::u8vec3& colour = (*worn)->background;
+    background_ = uint32_t{colour.x} << 16U | uint32_t{colour.y} << 8U | colour.z;
+  }
   figure_ = std::make_unique<Figure>(std::move(*figure));
   return figure_.get();
 }
@@ -120,6 +125,12 @@ Result<Body> Session::body() {
   const auto figure = this->figure();
   if (!figure) return tl::unexpected(figure.error());
   return Body{.figure = *figure, .avatar = avatar_.get(), .textures = textures_};
+}
+
+StageOptions Session::stage() const {
+  StageOptions stage = options_.stage;
+  stage.background = background_.value_or(stage.background);
+  return stage;
 }
 
 Result<const Lexicon*> Session::lexicon() {

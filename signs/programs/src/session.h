@@ -11,6 +11,7 @@
 #include "synthesis/utterance.h"
 #include "translate/translation.h"
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -34,9 +35,12 @@ class Session {
  public:
   explicit Session(const Options& options) : options_(options) {}
 
+  /// In the appearance that was asked for.
   Result<const Figure*> figure();
   /// The figure and how it is drawn.
   Result<Body> body();
+  /// The stage that was asked for, before the figure's background. After figure().
+  StageOptions stage() const;
   Result<const Lexicon*> lexicon();
   Result<Translation> translation();
   Result<Show> show();
@@ -57,6 +61,7 @@ class Session {
   std::unique_ptr<Figure> figure_;
   std::unique_ptr<SigningAvatar> avatar_;
   std::vector<std::optional<raster::Texture>> textures_;
+  std::optional<uint32_t> background_;  ///< of its appearance
   std::optional<Lexicon> lexicon_;
   std::optional<Signer> signer_;
 };

@@ -22,7 +22,7 @@ struct TableColour {
 /// One look of the signer.
 struct TableAppearance {
   std::string name;
-  TableColour skin, hair, shirt, trousers, iris, lips, background;
+  TableColour skin, palm, hair, shirt, trousers, iris, lips, background;
 };
 
 /// One digit. All lengths in millimetres.
