@@ -4,6 +4,7 @@
 #include "sculpt/sculpt.h"
 
 #include <cmath>
+#include <glm/vector_relational.hpp>
 #include <gtest/gtest.h>
 #include <map>
 #include <string>
@@ -132,7 +133,7 @@ TEST_P(SculptedFigure, TheHandHasTheSizeOfTheTable) {
 }
 
 TEST_P(SculptedFigure, TheSkullHasTheSizeOfTheTable) {
-  // Bare skin above the ears and the bridge of the nose; what is darker is hair.
+  // Bare skin above the ears and the bridge of the nose; what has another pigment is hair.
   const Mesh& head = segment("head_base");
   float widest = 0.0F;
   float front = 0.0F;
@@ -140,7 +141,7 @@ TEST_P(SculptedFigure, TheSkullHasTheSizeOfTheTable) {
   float top = 0.0F;
   for (size_t i = 0; i < head.positions.size(); ++i) {
     const glm::vec3& p = head.positions[i];
-    if (head.colours[i].x < 150 || p.y < 0.062F) continue;
+    if (head.paint[i].first != 0 || p.y < 0.062F) continue;
     if (p.y > 0.070F) widest = std::max(widest, p.x);
     front = std::max(front, p.z);
     back = std::min(back, p.z);
@@ -274,6 +275,35 @@ TEST_P(SculptedFigure, EveryPointOfTheHandsStandsOutFromTheShirt) {
   for (const glm::u8vec4& c : segment("spine_base").colours) {
     EXPECT_LE(luminance(c.x, c.y, c.z), shirt + 0.01);
   }
+}
+
+/// The mean shade of the paint in a box (millimetres), 1 as the pigments are.
+double shade_in(const Mesh& mesh, const glm::vec3& low, const glm::vec3& high) {
+  double sum = 0, count = 0;
+  for (size_t i = 0; i < mesh.positions.size(); ++i) {
+    const glm::vec3 p = mesh.positions[i] * 1000.0F;
+    if (glm::any(glm::lessThan(p, low)) || glm::any(glm::greaterThan(p, high))) continue;
+    sum += mesh.paint[i].shade / double{Paint::kFullShade};
+    ++count;
+  }
+  EXPECT_GE(count, 3.0);
+  return sum / count;
+}
+
+TEST_P(SculptedFigure, LessLightArrivesWhereTheBodyIsInItsOwnWay) {
+  const Mesh& head = segment("head_base");
+  const double cheek = shade_in(head, {25, 0, 60}, {55, 30, 130});
+  EXPECT_LT(shade_in(head, {8, 38, 60}, {18, 62, 92}), cheek - 0.05) << "beside the root of the nose";
+  EXPECT_LT(shade_in(head, {56, 20, -30}, {74, 60, 12}), cheek - 0.05) << "behind the ear";
+  EXPECT_LT(shade_in(segment("neck_base"), {-30, 60, 30}, {30, 110, 90}), cheek - 0.05) << "under the chin";
+}
+
+// What a joint hides at rest it shows when it bends.
+TEST_P(SculptedFigure, NoDarkRingsRoundTheJoints) {
+  for (const char* finger : {"index_pip_l", "middle_dip_l", "ring_pip_l", "little_mp_l"})
+    EXPECT_GT(shade_in(segment(finger), {-4, 4, -5}, {4, 20, 5}), 0.95) << finger;
+  for (const Paint& paint : segment("elbow_l").paint)
+    EXPECT_EQ(paint.shade, Paint::kFullShade);
 }
 
 TEST(SculptedTable, AnotherSignerIsAChangeOfNumbers) {

@@ -44,6 +44,7 @@ void add_ball(Head& head) {
   grid.last_pole.importance = 60.0;
   grid.last_pole.point = centre + Vec3(0.0, 0.0, kBallRadius);
   grid.last_pole.colour = tints[3];
+  grid.occlude(0.0);
   add_piece(head, grid, std::vector<Site>(grid.points.size() + 2, Site{Piece::kEyeball, 0.0, 0.0, 0.0}), true);
 
   // The light in the eye: without it a drawn eye looks blind.
@@ -62,6 +63,7 @@ void add_ball(Head& head) {
   glint.last_pole.point = spot + out * 0.4;
   paint(glint, [](const Vec3&) { return Colour(Pigment::kGlint); });
   glint.weigh(0.5);
+  glint.occlude(0.0);
   add_piece(head, glint, std::vector<Site>(glint.points.size() + 2, Site{Piece::kEyeball, 0.0, 0.0, 0.0}), true);
 }
 
@@ -100,6 +102,7 @@ void add_lid(Head& head, bool upper) {
   grid.first_pole.point = centre + lid_point(sites.front(), margin, hidden);
   grid.last_pole.point = centre + lid_point(sites.back(), margin, hidden);
   grid.first_pole.colour = grid.last_pole.colour = skin;
+  grid.occlude(0.0);
   add_piece(head, grid, sites, true);
 }
 
@@ -133,6 +136,7 @@ void add_brow(Head& head) {
   sites.back() = {Piece::kBrow, 0.0, 1.0, 0.0};
   paint(grid, [&](const Vec3&) { return Colour(Pigment::kHair); });
   grid.weigh(8.0);
+  grid.occlude(0.0);
   add_piece(head, grid, sites, true);
 }
 
@@ -169,6 +173,7 @@ void add_teeth(Head& head, bool upper) {
   (upper ? grid.last_pole : grid.first_pole).colour = gum;
   grid.weigh(0.2);
   const Piece piece = upper ? Piece::kUpperTeeth : Piece::kLowerTeeth;
+  grid.occlude(0.0);
   add_piece(head, grid, std::vector<Site>(grid.points.size() + 2, Site{piece, 0.0, 0.0, 0.0}), false);
 }
 
@@ -198,6 +203,7 @@ void add_tongue(Head& head) {
   grid.first_pole.colour = grid.last_pole.colour = pink;
   sites.front() = {Piece::kTongue, 0.0, 0.0, 0.0};
   sites.back() = {Piece::kTongue, 0.0, 1.0, 0.0};
+  grid.occlude(0.0);
   add_piece(head, grid, sites, false);
 }
 

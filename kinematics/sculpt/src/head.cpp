@@ -150,6 +150,7 @@ void add_skin(Head& head) {
                             kMouthZ - hole.depth - 0.012 * x * x);
         vertex.colour = mix(lips * 0.55, dark, smooth_step(3.0, 14.0, hole.depth));
         vertex.importance = 0.5;
+        vertex.occlusion = 0.0;
       } else if (row < pocket + near) {
         site.ring = kNearRings[static_cast<size_t>(row - pocket)];
         vertex.point = cast(field, kInside, near_direction(site.ring, turn), 160.0);
@@ -161,6 +162,7 @@ void add_skin(Head& head) {
         const Colour skin = skin_colour(vertex.point);
         vertex.colour = site.ring < 8.0 ? mix(lip, skin, pale) : skin;
         vertex.importance = site.ring < 10.0 ? 20.0 : 4.0;
+        vertex.occlusion = smooth_step(6.0, 20.0, site.ring);
       } else {
         const double degrees = kFarRings[static_cast<size_t>(row - pocket - near)];
         site.ring = 36.0 + 2.3 * (degrees - kFirstFar);

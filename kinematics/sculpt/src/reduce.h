@@ -14,6 +14,7 @@ struct Sculpture {
   /// Its mirror image across x = 0; itself where it lies on the plane, and everywhere in a mesh without symmetry.
   std::vector<uint32_t> mirror;
   std::vector<double> importance;        ///< of errors there; 1 for what is looked at
+  std::vector<double> occlusion;         ///< how much of baked occlusion it takes; 0 where the face moves
   std::vector<std::vector<Vec3>> poses;  ///< millimetres: where the vertices may also be, and the form has to hold
 };
 

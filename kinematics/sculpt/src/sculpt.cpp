@@ -2,8 +2,11 @@
 #include "sculpt/sculpt.h"
 
 #include "layout.h"
+#include "occlusion.h"
 
+#include <array>
 #include <glm/geometric.hpp>
+#include <span>
 #include <utility>
 
 namespace auslan {
@@ -102,6 +105,9 @@ Result<Figure> sculpt_figure(const Measurements& table, Detail detail) {
   figure.segments.resize(static_cast<size_t>(figure.skeleton.size()));
   for (const TableAppearance& look : table.appearances)
     figure.appearances.push_back(sculpt::appearance_of(look));
+  const auto place_of = [&figure](const std::string& node) {
+    return figure.skeleton.rest_position(figure.skeleton.find(node));
+  };
   const auto finished = [&](sculpt::Sculpture made, const sculpt::Budget& budget) {
     for (size_t i = 0; i < made.mesh.paint.size(); ++i)
       made.mesh.colours[i] = painted(made.mesh.paint[i], figure.appearances.front());
@@ -119,12 +125,26 @@ Result<Figure> sculpt_figure(const Measurements& table, Detail detail) {
     left = finished(std::move(made), budget);
     segment(name + "_r") = sculpt::mirrored(left);
   };
-  place("spine_base", sculpt::sculpt_trunk(table), sculpt::kTrunkBudget);
-  place("neck_base", sculpt::sculpt_neck(table), sculpt::kNeckBudget);
-  place("head_base", sculpt::sculpt_head(table), sculpt::kHeadBudget);
-  place_both("shoulder", sculpt::sculpt_upper_arm(table), sculpt::kUpperArmBudget);
+
+  sculpt::Sculpture trunk = sculpt::sculpt_trunk(table), neck = sculpt::sculpt_neck(table),
+                    head = sculpt::sculpt_head(table);
+  // Trunk, neck and head stand much as at rest; what limbs and fingers hide moves, and is left to the light.
+  const std::array<sculpt::Occluder, 3> upright = {
+      {{&trunk, place_of("spine_base")}, {&neck, place_of("neck_base")}, {&head, place_of("head_base")}}};
+  sculpt::bake_occlusion(trunk, place_of("spine_base"), std::span(upright).first(2), 60.0, 0.5);
+  sculpt::bake_occlusion(neck, place_of("neck_base"), upright, 80.0, 0.6);
+  sculpt::bake_occlusion(head, place_of("head_base"), std::span(upright).last(1), 45.0, 0.75);
+  const auto alone = [](sculpt::Sculpture made, double reach, double strength) {
+    const sculpt::Occluder itself{&made, Vec3(0.0)};
+    sculpt::bake_occlusion(made, Vec3(0.0), std::span(&itself, 1), reach, strength);
+    return made;
+  };
+  place("spine_base", std::move(trunk), sculpt::kTrunkBudget);
+  place("neck_base", std::move(neck), sculpt::kNeckBudget);
+  place("head_base", std::move(head), sculpt::kHeadBudget);
+  place_both("shoulder", alone(sculpt::sculpt_upper_arm(table), 40.0, 0.5), sculpt::kUpperArmBudget);
   place_both("elbow", sculpt::sculpt_forearm(table), sculpt::kForearmBudget);
-  place_both("wrist", sculpt::sculpt_palm(table), sculpt::kPalmBudget);
+  place_both("wrist", alone(sculpt::sculpt_palm(table), 30.0, 0.6), sculpt::kPalmBudget);
   for (int digit = 0; digit < 5; ++digit) {
     for (int bone = 0; bone < 3; ++bone) {
       const std::string_view name = sculpt::kDigitNodes[static_cast<size_t>(digit)][static_cast<size_t>(bone)];

@@ -35,6 +35,12 @@ void Grid::weigh(double importance) {
   first_pole.importance = last_pole.importance = importance;
 }
 
+void Grid::occlude(double share) {
+  for (Vertex& v : points)
+    v.occlusion = share;
+  first_pole.occlusion = last_pole.occlusion = share;
+}
+
 uint32_t append(Shape& shape, Grid grid) {
   const auto base = static_cast<uint32_t>(shape.vertices.size());
   const auto index = [&](int row, int column) {
@@ -159,6 +165,7 @@ Sculpture finish(const Shape& shape) {
     out.mesh.paint.push_back(paint_of(v.colour));
     out.mirror.push_back(v.mirror);
     out.importance.push_back(v.importance);
+    out.occlusion.push_back(v.occlusion);
   }
   out.mesh.colours.assign(shape.vertices.size(), glm::u8vec4(255));
   for (const Vec3& n : smooth_normals(shape))

@@ -20,6 +20,7 @@ struct Vertex {
   Vec3 point{0.0};
   Colour colour;
   double importance = 1.0;  ///< of errors there, when triangles are saved
+  double occlusion = 1.0;   ///< how much of baked occlusion it takes
   uint32_t mirror = 0;      ///< its mirror image across x = 0; itself where there is none or it lies on the plane
 };
 
@@ -41,8 +42,9 @@ struct Grid {
 
   Grid(int row_count, int column_count, bool is_symmetric, Part which);
   Vertex& at(int row, int column) { return points[static_cast<size_t>(row * columns + column)]; }
-  /// Sets the importance of every point.
+  /// Sets the importance of every point, or how much of baked occlusion it takes.
   void weigh(double importance);
+  void occlude(double share);
   /// How many columns of a row have to be filled in.
   int filled_columns() const { return symmetric ? columns / 2 + 1 : columns; }
 };

@@ -187,7 +187,7 @@ Sculpture sculpt_neck(const Measurements& table) {
   // Under the chin and above the collar less light arrives.
   paint(grid, [&](const Vec3& p) {
     const double chin = smooth_step(20.0, 80.0, p.y) * smooth_step(0.0, 60.0, p.z);
-    return skin * (1.0 - 0.17 * chin) * (1.0 - 0.12 * (1.0 - smooth_step(-20.0, 25.0, p.y)));
+    return skin * (1.0 - 0.08 * chin) * (1.0 - 0.05 * (1.0 - smooth_step(-20.0, 25.0, p.y)));
   });
   Shape shape;
   append(shape, grid);

@@ -21,7 +21,8 @@ enum class Detail {
 inline constexpr std::string_view kDetailNames[] = {"low", "normal", "high"};
 
 /// The whole figure. Every segment's mesh is one or more closed manifold parts wound outwards; the right side is the
-/// exact mirror image of the left; the face channels are morphs of head_base's mesh. The same table gives the same
+/// exact mirror image of the left; the face channels are morphs of head_base's mesh. The
+/// first pigment of every appearance is the skin's. The same table gives the same
 /// bytes on every machine: only + - * / and sqrt are used. Fails only as Skeleton::build does.
 Result<Figure> sculpt_figure(const Measurements& table, Detail detail = Detail::kNormal);
 
