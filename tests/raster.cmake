@@ -16,7 +16,7 @@ auslan_test(raster_kernel_equality LABEL unit LIBRARIES auslan::raster)
 if(AUSLANJAM_PROGRAMS)
   auslan_test(raster_kernel_figure LABEL unit LIBRARIES auslan::raster auslan::kinematics)
   add_dependencies(raster_kernel_figure_test auslan_baked_figure)
-  auslan_test(figure_holes LABEL conformance LIBRARIES auslan::raster auslan::kinematics)
+  auslan_test(figure_holes LABEL conformance LIBRARIES auslan::raster auslan::kinematics auslan::sculpt)
   add_dependencies(figure_holes_test auslan_baked_figure)
 endif()
 

@@ -4,8 +4,10 @@
 #include "kinematics/body_model.h"
 #include "kinematics/figure_file.h"
 #include "kinematics/limits.h"
+#include "other_tables.h"
 #include "raster/renderer.h"
 #include "raster_screen.h"
+#include "sculpt/sculpt.h"
 
 #include <algorithm>
 #include <cmath>
@@ -154,6 +156,16 @@ TEST_P(FigureHoles, NoPoseOpensRigidSegments) {
 TEST_P(FigureHoles, NoPoseOpensSmoothJoints) {
   const Figure figure = shipped_figure(GetParam().name);
   expect_no_holes(figure, *make_skinned(figure), GetParam().poses);
+}
+
+TEST(FigureHolesTest, NoPoseOpensOtherSigners) {
+  const auto table = read_measurements(std::string(AUSLANJAM_SOURCE_DIR) + "/assets/figure/measurements.toml");
+  ASSERT_TRUE(table);
+  for (const test::Build& build : test::other_builds()) {
+    SCOPED_TRACE(build.name);
+    const Figure figure = sculpt_figure(test::of_build(*table, build)).value();
+    expect_no_holes(figure, *make_skinned(figure), 1000);
+  }
 }
 
 // Without a hundredth of the trunk the inside shows: the test can fail.

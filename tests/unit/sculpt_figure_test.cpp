@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The built-in figure: closed segments, measured bones, two equal halves, a face that moves, colours that read.
 #include "kinematics/figure_file.h"
+#include "other_tables.h"
 #include "sculpt/sculpt.h"
 
 #include <cmath>
@@ -59,8 +60,8 @@ TEST_P(SculptedFigure, HasAboutTheTrianglesOfItsLevelMostOfThemInHandsAndHead) {
   const double head = static_cast<double>(segment("head_base").indices.size() / 3);
   const double wanted[] = {5000, 20000, 80000};
   EXPECT_NEAR(all, wanted[static_cast<size_t>(GetParam())], 0.05 * wanted[static_cast<size_t>(GetParam())]);
-  EXPECT_NEAR(hands / all, 0.40, 0.04);
-  EXPECT_NEAR(head / all, 0.35, 0.06);
+  EXPECT_NEAR(hands / all, 0.42, 0.04);
+  EXPECT_NEAR(head / all, 0.35, 0.03);
 }
 
 TEST_P(SculptedFigure, KeepsEveryPromiseOfAFigure) {
@@ -68,10 +69,10 @@ TEST_P(SculptedFigure, KeepsEveryPromiseOfAFigure) {
   EXPECT_TRUE(checked) << to_string(checked.error());
 }
 
-TEST_P(SculptedFigure, EverySegmentIsClosedAndWoundOutwards) {
-  for (size_t node = 0; node < figure().segments.size(); ++node) {
-    const Mesh& mesh = figure().segments[node];
-    const std::string& name = figure().skeleton.node(static_cast<int>(node)).name;
+void expect_closed(const Figure& figure) {
+  for (size_t node = 0; node < figure.segments.size(); ++node) {
+    const Mesh& mesh = figure.segments[node];
+    const std::string& name = figure.skeleton.node(static_cast<int>(node)).name;
     ASSERT_FALSE(mesh.indices.empty()) << name;
     std::map<std::pair<uint32_t, uint32_t>, int> edges;
     double volume = 0;
@@ -89,6 +90,10 @@ TEST_P(SculptedFigure, EverySegmentIsClosedAndWoundOutwards) {
     }
     EXPECT_GT(volume, 0.0) << name << ": the surface is inside out";
   }
+}
+
+TEST_P(SculptedFigure, EverySegmentIsClosedAndWoundOutwards) {
+  expect_closed(figure());
 }
 
 TEST_P(SculptedFigure, BonesHaveTheLengthsOfTheTable) {
@@ -286,7 +291,7 @@ double shade_in(const Mesh& mesh, const glm::vec3& low, const glm::vec3& high) {
     sum += mesh.paint[i].shade / double{Paint::kFullShade};
     ++count;
   }
-  EXPECT_GE(count, 3.0);
+  EXPECT_GE(count, 1.0);
   return sum / count;
 }
 
@@ -304,6 +309,26 @@ TEST_P(SculptedFigure, NoDarkRingsRoundTheJoints) {
     EXPECT_GT(shade_in(segment(finger), {-4, 4, -5}, {4, 20, 5}), 0.95) << finger;
   for (const Paint& paint : segment("elbow_l").paint)
     EXPECT_EQ(paint.shade, Paint::kFullShade);
+}
+
+TEST(SculptedTable, OtherSignersAreWholeToo) {
+  for (const test::Build& build : test::other_builds()) {
+    SCOPED_TRACE(build.name);
+    const Measurements other = test::of_build(table(), build);
+    const auto made = sculpt_figure(other);
+    ASSERT_TRUE(made);
+    EXPECT_TRUE(check_figure(*made));
+    expect_closed(*made);
+    // The knuckles are as far apart as the table has the hand broad.
+    const Mesh& palm = made->segments[static_cast<size_t>(made->skeleton.find("wrist_l"))];
+    float low = 0.0F, high = 0.0F;
+    for (const glm::vec3& p : palm.positions) {
+      if (p.x < static_cast<float>(0.070 * build.hand)) continue;
+      low = std::min(low, p.z);
+      high = std::max(high, p.z);
+    }
+    EXPECT_NEAR(1000.0F * (high - low), other.hand_breadth, 5.0);
+  }
 }
 
 TEST(SculptedTable, AnotherSignerIsAChangeOfNumbers) {

@@ -22,6 +22,9 @@ Sculpture sculpt_palm(const Measurements& table) {
   const std::array<double, 5> radius = {0.0, 0.5 * table.digits[1].breadths[0], 0.5 * table.digits[2].breadths[0],
                                         0.5 * table.digits[3].breadths[0], 0.5 * table.digits[4].breadths[0]};
 
+  // Places in the palm are those of a mean hand.
+  const Vec3 size(table.hand_length / 187.0, thick / 29.0, breadth / 83.0);
+  const auto sized = [size](double x, double y, double z) { return Vec3(x, y, z) * size; };
   const Field field = [=](const Vec3& p) {
     // Wrist: an oval stub that runs back into the forearm's end.
     const Vec3 q(p.x, p.y * 1.42, p.z);
@@ -29,27 +32,32 @@ Sculpture sculpt_palm(const Measurements& table) {
     // One ray of bone and muscle for each finger, from the carpus to a ball round the knuckle.
     for (int digit = 1; digit <= 4; ++digit) {
       const Vec3 head = lines[static_cast<size_t>(digit)].joints[0];
-      const Vec3 base(20.0, -1.0, head.z * 0.48);
+      const Vec3 base = sized(20.0, -1.0, 0.0) + Vec3(0.0, 0.0, head.z * 0.48);
       const double r = radius[static_cast<size_t>(digit)];
       d = join(d, round_cone(p, base, thick * 0.46, head, r), digit == 1 ? 10.0 : 7.0);
+      // The knuckle stands out on the back, and the tendon that runs up to it from the wrist.
+      d = join(d, ball(p, head + Vec3(-3.0, 2.2, 0.0), r * 0.94), 4.0);
+      d = join(
+          d, round_cone(p, Vec3(30.0 * size.x, thick * 0.40, head.z * 0.62), 2.0, head + Vec3(-8.0, r - 1.2, 0.0), 2.2),
+          6.0);
     }
     // The pads under the knuckles and the heel of the little finger's side; the hollow between them.
-    d = join(d, ellipsoid(p, Vec3(84.0, -7.0, 8.0), Vec3(14.0, 8.5, breadth * 0.34)), 7.0);
-    d = join(d, ellipsoid(p, Vec3(78.0, -7.5, -20.0), Vec3(14.0, 8.0, 14.0)), 7.0);
-    d = join(d, ellipsoid(p, Vec3(36.0, -8.0, -19.0), Vec3(30.0, 11.0, 14.0)), 8.0);
+    d = join(d, ellipsoid(p, sized(84.0, -7.0, 8.0), sized(14.0, 8.5, 28.2)), 7.0);
+    d = join(d, ellipsoid(p, sized(78.0, -7.5, -20.0), sized(14.0, 8.0, 14.0)), 7.0);
+    d = join(d, ellipsoid(p, sized(36.0, -8.0, -19.0), sized(30.0, 11.0, 14.0)), 8.0);
     // The ball of the thumb and the web that ties the thumb to the index's metacarpal.
-    const Vec3 thenar = thumb.joints[0] + thumb.direction * 16.0 + Vec3(4.0, -2.0, -4.0);
-    d = join(d, ellipsoid(p, thenar, Vec3(25.0, 12.0, 15.0)), 10.0);
+    const Vec3 thenar = thumb.joints[0] + thumb.direction * (16.0 * size.x) + sized(4.0, -2.0, -4.0);
+    d = join(d, ellipsoid(p, thenar, sized(25.0, 12.0, 15.0)), 10.0);
     d = join(d,
-             round_cone(p, Vec3(44.0, -4.0, 20.0), 10.0,
-                        thumb.joints[0] + thumb.direction * 34.0 + Vec3(-1.0, 0.0, -3.0), 6.5),
+             round_cone(p, sized(44.0, -4.0, 20.0), 10.0,
+                        thumb.joints[0] + thumb.direction * (34.0 * size.x) + sized(-1.0, 0.0, -3.0), 6.5),
              12.0);
-    d = carve(d, ellipsoid(p, Vec3(56.0, -22.0, 0.0), Vec3(26.0, 9.5, 14.0)), 9.0);
+    d = carve(d, ellipsoid(p, sized(56.0, -22.0, 0.0), sized(26.0, 9.5, 14.0)), 9.0);
     // Tendons leave shallow furrows between the knuckles on the back.
     for (int digit = 1; digit < 4; ++digit) {
       const Vec3 furrow =
           mix(lines[static_cast<size_t>(digit)].joints[0], lines[static_cast<size_t>(digit) + 1].joints[0], 0.5);
-      d = carve(d, ellipsoid(p, furrow + Vec3(2.0, 12.5, 0.0), Vec3(19.0, 5.0, 4.5)), 4.0);
+      d = carve(d, ellipsoid(p, furrow + sized(2.0, 12.5, 0.0), sized(19.0, 5.0, 4.5)), 4.0);
     }
     return d;
   };
@@ -93,11 +101,12 @@ Sculpture sculpt_palm(const Measurements& table) {
       c = mix(c, flush, 0.6 * (1.0 - smooth_step(3.0, 10.0, near)) * smooth_step(0.0, 0.6, normal.y));
     }
     // The webs between the fingers, and the lines of the palm: round the thumb's ball and across below the fingers.
-    const double ahead = smooth_step(0.35, 0.85, normal.x) * smooth_step(60.0, 75.0, p.x);
+    const double ahead = smooth_step(0.35, 0.85, normal.x) * smooth_step(60.0, 75.0, p.x / size.x);
     c = c * mix(1.0, 0.88, ahead);
     if (normal.y < -0.2) {
-      const double arc = length(Vec3(p.x - 28.0, 0.0, (p.z - 32.0) * 1.25)) - 34.0;
-      const double heart = p.x - 76.0 + 0.006 * (p.z - 26.0) * (p.z - 26.0);
+      const Vec3 q = p / size;
+      const double arc = length(Vec3(q.x - 28.0, 0.0, (q.z - 32.0) * 1.25)) - 34.0;
+      const double heart = q.x - 76.0 + 0.006 * (q.z - 26.0) * (q.z - 26.0);
       const double line = std::min(arc < 0.0 ? -arc : arc, heart < 0.0 ? -heart : heart);
       c = c * mix(0.90, 1.0, smooth_step(0.8, 3.4, line));
     }

@@ -52,9 +52,9 @@ namespace {
 struct Budget {
   size_t low, normal;
 };
-constexpr Budget kTrunkBudget{400, 2300}, kNeckBudget{90, 360}, kHeadBudget{1960, 6700};
-constexpr Budget kUpperArmBudget{150, 560}, kForearmBudget{130, 440}, kPalmBudget{400, 1150};
-constexpr Budget kPhalanxBudget{42, 180}, kTipBudget{58, 240};  // the last bone has a nail
+constexpr Budget kTrunkBudget{400, 2300}, kNeckBudget{90, 360}, kHeadBudget{1880, 6700};
+constexpr Budget kUpperArmBudget{150, 560}, kForearmBudget{130, 440}, kPalmBudget{500, 1250};
+constexpr Budget kPhalanxBudget{38, 200}, kTipBudget{54, 255};  // the last bone has a nail
 
 constexpr std::array<std::array<std::string_view, 3>, 5> kDigitNodes = {{{"thumb_cmc", "thumb_mp", "thumb_ip"},
                                                                          {"index_mp", "index_pip", "index_dip"},
@@ -144,7 +144,7 @@ Result<Figure> sculpt_figure(const Measurements& table, Detail detail) {
   place("head_base", std::move(head), sculpt::kHeadBudget);
   place_both("shoulder", alone(sculpt::sculpt_upper_arm(table), 40.0, 0.5), sculpt::kUpperArmBudget);
   place_both("elbow", sculpt::sculpt_forearm(table), sculpt::kForearmBudget);
-  place_both("wrist", alone(sculpt::sculpt_palm(table), 30.0, 0.6), sculpt::kPalmBudget);
+  place_both("wrist", alone(sculpt::sculpt_palm(table), 30.0, 0.45), sculpt::kPalmBudget);
   for (int digit = 0; digit < 5; ++digit) {
     for (int bone = 0; bone < 3; ++bone) {
       const std::string_view name = sculpt::kDigitNodes[static_cast<size_t>(digit)][static_cast<size_t>(bone)];

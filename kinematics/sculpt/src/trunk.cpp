@@ -78,6 +78,9 @@ Sculpture sculpt_trunk(const Measurements& table) {
     d = join(d, ellipsoid(q, Vec3(78.0, armpit + 8.0, 18.0 - chest_deep), Vec3(62.0, 70.0, 34.0)), 40.0);
     d = join(d, round_cone(p, neck + Vec3(0.0, -14.0, 4.0), 62.0, mix(neck, skull, 0.10), neck_radius(table) + 6.0),
              26.0);
+    // The upper back runs straight from the nape to the shoulder blades.
+    d = join(d, round_cone(p, neck + Vec3(0.0, -16.0, -10.0), 46.0, Vec3(0.0, armpit + 40.0, 58.0 - chest_deep), 62.0),
+             30.0);
     d = join(d, ellipsoid(p, neck + Vec3(0.0, -62.0, 44.0), Vec3(84.0, 46.0, 40.0)), 36.0);
     d = -join(-d, -0.915 * (p.y - neckline(p.z)), 6.0);
     return d;
@@ -116,7 +119,7 @@ Sculpture sculpt_trunk(const Measurements& table) {
     const Angle turn = angle_deg(7.5 * row);
     const Vec3 radial(turn.sine, 0.0, turn.cosine);
     const double front = 0.5 * (1.0 + turn.cosine);
-    Vec3 centre = Vec3(neck.x, 0.0, neck.z + 3.0) + radial * (collar_radius + 2.0 * front);
+    Vec3 centre = Vec3(neck.x, 0.0, neck.z + 3.0) + radial * (collar_radius + mix(-6.0, 2.0, front));
     centre.y = neckline(centre.z) - 1.0;
     const Vec3 tilted = normalised(Vec3(radial.x * -0.30, 1.0, radial.z * -0.30 + 0.30));
     for (int column = 0; column < 10; ++column) {

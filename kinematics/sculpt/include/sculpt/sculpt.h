@@ -15,7 +15,7 @@ Result<Skeleton> sculpt_skeleton(const Measurements& table);
 /// How many triangles a figure is made of; the form, its joints and its channels are the same.
 enum class Detail {
   kLow,     ///< about 5,000
-  kNormal,  ///< about 20,000: two fifths of them in the hands, a third in the head
+  kNormal,  ///< about 20,000: more than two fifths of them in the hands, a third in the head
   kHigh,    ///< about 80,000: the surfaces as they are sculpted
 };
 inline constexpr std::string_view kDetailNames[] = {"low", "normal", "high"};
