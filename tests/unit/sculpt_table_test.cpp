@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Broken tables are refused with their line.
+#include "kinematics/file_tool.h"
 #include "sculpt/measurements.h"
+#include "sculpt/sculpt.h"
 
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <unistd.h>
+#include <vector>
 
 namespace auslan {
 namespace {
@@ -82,6 +86,32 @@ TEST(SculptTable, AWrongTypeAndAnAbsurdLengthAreRefused) {
     ASSERT_FALSE(result) << value;
     EXPECT_NE(to_string(result.error()).find("forearm"), std::string::npos) << value;
   }
+}
+
+TEST(SculptTool, TakesOneOfTheWordsOfItsChoice) {
+  static std::optional<size_t> chosen;
+  const FileTool tool{
+      .name = "tool",
+      .input = "IN",
+      .output = "OUT",
+      .about = "A tool.",
+      .choice = {.flag = "--detail", .words = kDetailNames, .otherwise = 1, .about = "How fine"},
+      .convert = [](const std::filesystem::path&, const std::filesystem::path&, size_t choice) -> Result<void> {
+        chosen = choice;
+        return {};
+      }};
+  const auto run = [&tool](std::vector<const char*> arguments) {
+    chosen.reset();
+    arguments.insert(arguments.begin(), "tool");
+    return run_file_tool(tool, static_cast<int>(arguments.size()), arguments.data());
+  };
+  EXPECT_EQ(run({"a", "-o", "b"}), 0);
+  EXPECT_EQ(chosen, 1U);
+  EXPECT_EQ(run({"--detail", "high", "a", "-o", "b"}), 0);
+  EXPECT_EQ(chosen, 2U);
+  EXPECT_EQ(run({"a", "-o", "b", "--detail", "hi"}), 2);
+  EXPECT_EQ(run({"a", "-o", "b", "--detail"}), 2);
+  EXPECT_FALSE(chosen);
 }
 
 }  // namespace
