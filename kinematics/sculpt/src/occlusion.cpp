@@ -13,6 +13,8 @@ namespace auslan::sculpt {
 namespace {
 
 constexpr int kRays = 40;
+/// No more than so much of the half space counts as hidden.
+constexpr double kMost = 0.45;
 /// Rays start so far above the surface, millimetres, that they do not hit where they start.
 constexpr double kLift = 0.6;
 
@@ -171,7 +173,9 @@ void bake_occlusion(Sculpture& sculpture, const Vec3& place, std::span<const Occ
       const double far = scene.nearest(origin, side * d.x + up * d.y + normal * d.z, reach) / reach;
       hidden += (1.0 - far) * (1.0 - far);
     }
-    const double light = 1.0 - strength * sculpture.occlusion[i] * hidden / kRays;
+    // What is buried in another part would darken the visible end of its edges.
+    const double share = std::min(hidden / kRays, kMost);
+    const double light = 1.0 - strength * sculpture.occlusion[i] * share;
     mesh.paint[i].shade = static_cast<uint8_t>(mesh.paint[i].shade * light + 0.5);
   }
 }

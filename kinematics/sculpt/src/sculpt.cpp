@@ -108,11 +108,20 @@ Result<Figure> sculpt_figure(const Measurements& table, Detail detail) {
   const auto place_of = [&figure](const std::string& node) {
     return figure.skeleton.rest_position(figure.skeleton.find(node));
   };
+  const auto colour = [&figure](Mesh& mesh) {
+    for (size_t i = 0; i < mesh.paint.size(); ++i)
+      mesh.colours[i] = painted(mesh.paint[i], figure.appearances.front());
+  };
+  // What is reduced has its colours without occlusion, which is soft and needs no triangles of its own.
+  const auto coloured = [&](sculpt::Sculpture made) {
+    colour(made.mesh);
+    return made;
+  };
   const auto finished = [&](sculpt::Sculpture made, const sculpt::Budget& budget) {
-    for (size_t i = 0; i < made.mesh.paint.size(); ++i)
-      made.mesh.colours[i] = painted(made.mesh.paint[i], figure.appearances.front());
-    if (detail == Detail::kHigh) return std::move(made.mesh);
-    return sculpt::reduced(made, detail == Detail::kLow ? budget.low : budget.normal);
+    Mesh mesh = detail == Detail::kHigh ? std::move(made.mesh)
+                                        : sculpt::reduced(made, detail == Detail::kLow ? budget.low : budget.normal);
+    colour(mesh);
+    return mesh;
   };
   const auto segment = [&figure](const std::string& name) -> Mesh& {
     return figure.segments[static_cast<size_t>(figure.skeleton.find(name))];
@@ -126,8 +135,8 @@ Result<Figure> sculpt_figure(const Measurements& table, Detail detail) {
     segment(name + "_r") = sculpt::mirrored(left);
   };
 
-  sculpt::Sculpture trunk = sculpt::sculpt_trunk(table), neck = sculpt::sculpt_neck(table),
-                    head = sculpt::sculpt_head(table);
+  sculpt::Sculpture trunk = coloured(sculpt::sculpt_trunk(table)), neck = coloured(sculpt::sculpt_neck(table)),
+                    head = coloured(sculpt::sculpt_head(table));
   // Trunk, neck and head stand much as at rest; what limbs and fingers hide moves, and is left to the light.
   const std::array<sculpt::Occluder, 3> upright = {
       {{&trunk, place_of("spine_base")}, {&neck, place_of("neck_base")}, {&head, place_of("head_base")}}};
@@ -142,13 +151,13 @@ Result<Figure> sculpt_figure(const Measurements& table, Detail detail) {
   place("spine_base", std::move(trunk), sculpt::kTrunkBudget);
   place("neck_base", std::move(neck), sculpt::kNeckBudget);
   place("head_base", std::move(head), sculpt::kHeadBudget);
-  place_both("shoulder", alone(sculpt::sculpt_upper_arm(table), 40.0, 0.5), sculpt::kUpperArmBudget);
-  place_both("elbow", sculpt::sculpt_forearm(table), sculpt::kForearmBudget);
-  place_both("wrist", alone(sculpt::sculpt_palm(table), 30.0, 0.45), sculpt::kPalmBudget);
+  place_both("shoulder", alone(coloured(sculpt::sculpt_upper_arm(table)), 40.0, 0.5), sculpt::kUpperArmBudget);
+  place_both("elbow", coloured(sculpt::sculpt_forearm(table)), sculpt::kForearmBudget);
+  place_both("wrist", alone(coloured(sculpt::sculpt_palm(table)), 30.0, 0.45), sculpt::kPalmBudget);
   for (int digit = 0; digit < 5; ++digit) {
     for (int bone = 0; bone < 3; ++bone) {
       const std::string_view name = sculpt::kDigitNodes[static_cast<size_t>(digit)][static_cast<size_t>(bone)];
-      place_both(std::string(name), sculpt::sculpt_phalanx(table, digit, bone),
+      place_both(std::string(name), coloured(sculpt::sculpt_phalanx(table, digit, bone)),
                  bone == 2 ? sculpt::kTipBudget : sculpt::kPhalanxBudget);
     }
   }
