@@ -17,65 +17,24 @@ struct Rule {
 using enum Viseme;
 
 // Longest first within each length; a rule of count 0 is silent.
-constexpr std::array<Rule, 58> kRules = {{
-    {"tion", {kRounded, kAlveolar}, 2},
-    {"ough", {kO, kO}, 1},
-    {"igh", {kA, kI}, 2},
-    {"tch", {kRounded, kA}, 1},
-    {"ear", {kI, kE}, 2},
-    {"air", {kE, kE}, 1},
-    {"oor", {kO, kO}, 1},
-    {"our", {kO, kO}, 1},
-    {"eau", {kW, kW}, 1},
-    {"ph", {kLipTeeth, kA}, 1},
-    {"th", {kTongue, kA}, 1},
-    {"sh", {kRounded, kA}, 1},
-    {"ch", {kRounded, kA}, 1},
-    {"wh", {kW, kA}, 1},
-    {"ck", {kBack, kA}, 1},
-    {"ng", {kBack, kA}, 1},
-    {"qu", {kBack, kW}, 2},
-    {"kn", {kAlveolar, kA}, 1},
-    {"wr", {kR, kA}, 1},
-    {"gh", {kBack, kA}, 0},
-    {"ee", {kI, kI}, 1},
-    {"ea", {kI, kI}, 1},
-    {"ie", {kI, kI}, 1},
-    {"ei", {kE, kI}, 2},
-    {"ai", {kE, kI}, 2},
-    {"ay", {kE, kI}, 2},
-    {"ey", {kE, kI}, 2},
-    {"oo", {kW, kW}, 1},
-    {"ou", {kA, kW}, 2},
-    {"ow", {kA, kW}, 2},
-    {"oa", {kO, kW}, 2},
-    {"oi", {kO, kI}, 2},
-    {"oy", {kO, kI}, 2},
-    {"au", {kO, kO}, 1},
-    {"aw", {kO, kO}, 1},
-    {"ew", {kI, kW}, 2},
-    {"ar", {kA, kA}, 1},
-    {"or", {kO, kO}, 1},
-    {"er", {kE, kE}, 1},
-    {"ir", {kE, kE}, 1},
-    {"ur", {kE, kE}, 1},
-    {"p", {kClosed, kA}, 1},
-    {"b", {kClosed, kA}, 1},
-    {"m", {kClosed, kA}, 1},
-    {"f", {kLipTeeth, kA}, 1},
-    {"v", {kLipTeeth, kA}, 1},
-    {"j", {kRounded, kA}, 1},
-    {"r", {kR, kA}, 1},
-    {"w", {kW, kA}, 1},
-    {"k", {kBack, kA}, 1},
-    {"g", {kBack, kA}, 1},
-    {"h", {kBack, kA}, 0},
-    {"a", {kA, kA}, 1},
-    {"e", {kE, kE}, 1},
-    {"i", {kI, kI}, 1},
-    {"y", {kI, kI}, 1},
-    {"o", {kO, kO}, 1},
-    {"u", {kA, kA}, 1},
+constexpr std::array<Rule, 66> kRules = {{
+    {"tion", {kCh, kNn}, 2}, {"ough", {kOh, kOh}, 1}, {"igh", {kAa, kIh}, 2}, {"tch", {kCh, kAa}, 1},
+    {"ear", {kIh, kE}, 2},   {"air", {kE, kE}, 1},    {"oor", {kOh, kOh}, 1}, {"our", {kOh, kOh}, 1},
+    {"eau", {kOu, kOu}, 1},  {"ph", {kFf, kAa}, 1},   {"th", {kTh, kAa}, 1},  {"sh", {kCh, kAa}, 1},
+    {"ch", {kCh, kAa}, 1},   {"wh", {kOu, kAa}, 1},   {"ck", {kKk, kAa}, 1},  {"ng", {kNn, kAa}, 1},
+    {"qu", {kKk, kOu}, 2},   {"kn", {kNn, kAa}, 1},   {"wr", {kRr, kAa}, 1},  {"gh", {kKk, kAa}, 0},
+    {"ee", {kIh, kIh}, 1},   {"ea", {kIh, kIh}, 1},   {"ie", {kIh, kIh}, 1},  {"ei", {kE, kIh}, 2},
+    {"ai", {kE, kIh}, 2},    {"ay", {kE, kIh}, 2},    {"ey", {kE, kIh}, 2},   {"oo", {kOu, kOu}, 1},
+    {"ou", {kAa, kOu}, 2},   {"ow", {kAa, kOu}, 2},   {"oa", {kOh, kOu}, 2},  {"oi", {kOh, kIh}, 2},
+    {"oy", {kOh, kIh}, 2},   {"au", {kOh, kOh}, 1},   {"aw", {kOh, kOh}, 1},  {"ew", {kIh, kOu}, 2},
+    {"ar", {kAa, kAa}, 1},   {"or", {kOh, kOh}, 1},   {"er", {kE, kE}, 1},    {"ir", {kE, kE}, 1},
+    {"ur", {kE, kE}, 1},     {"p", {kPp, kAa}, 1},    {"b", {kPp, kAa}, 1},   {"m", {kPp, kAa}, 1},
+    {"f", {kFf, kAa}, 1},    {"v", {kFf, kAa}, 1},    {"j", {kCh, kAa}, 1},   {"r", {kRr, kAa}, 1},
+    {"w", {kOu, kAa}, 1},    {"k", {kKk, kAa}, 1},    {"g", {kKk, kAa}, 1},   {"h", {kKk, kAa}, 0},
+    {"a", {kAa, kAa}, 1},    {"e", {kE, kE}, 1},      {"i", {kIh, kIh}, 1},   {"y", {kIh, kIh}, 1},
+    {"o", {kOh, kOh}, 1},    {"u", {kAa, kAa}, 1},    {"t", {kDd, kAa}, 1},   {"d", {kDd, kAa}, 1},
+    {"n", {kNn, kAa}, 1},    {"l", {kNn, kAa}, 1},    {"s", {kSs, kAa}, 1},   {"z", {kSs, kAa}, 1},
+    {"c", {kKk, kAa}, 1},    {"x", {kKk, kSs}, 2},
 }};
 
 bool is_vowel(char c) {
@@ -105,14 +64,13 @@ std::vector<Viseme> visemes_of(std::string_view english) {
     const Rule* match = nullptr;
     for (const Rule& rule : kRules)
       if (match == nullptr && std::string_view(word).substr(i, rule.letters.size()) == rule.letters) match = &rule;
-    if (match != nullptr) {
-      for (int k = 0; k < match->count; ++k)
-        push(match->visemes[static_cast<size_t>(k)]);
-      i += match->letters.size();
-    } else {
-      if (is_letter(word[i])) push(kAlveolar);  // t d n l s z c x q
+    if (match == nullptr) {
       ++i;
+      continue;
     }
+    for (int k = 0; k < match->count; ++k)
+      push(match->visemes[static_cast<size_t>(k)]);
+    i += match->letters.size();
   }
   return visemes;
 }
@@ -121,57 +79,78 @@ FaceWeights weights_of(Viseme viseme) {
   using enum FaceChannel;
   FaceWeights w{};
   const auto set = [&w](FaceChannel channel, float value) { w[static_cast<size_t>(channel)] = value; };
-  const auto both = [&set](FaceChannel left, FaceChannel right, float value) {
-    set(left, value);
-    set(right, value);
+  const auto both = [&w](FaceChannel left, float value) {
+    w[static_cast<size_t>(left)] = w[static_cast<size_t>(right_of(left))] = value;
   };
   switch (viseme) {
-    case kClosed:
-      both(kMouthPressLeft, kMouthPressRight, 0.7F);
+    case kSilence:
       break;
-    case kLipTeeth:
-      set(kJawOpen, 0.06F);
-      both(kMouthUpperUpLeft, kMouthUpperUpRight, 0.35F);
-      both(kMouthPressLeft, kMouthPressRight, 0.25F);
+    case kPp:
+      both(kMouthPressLeft, 0.7F);
+      set(kMouthRollUpper, 0.15F);
+      set(kMouthRollLower, 0.15F);
       break;
-    case kTongue:
-      set(kJawOpen, 0.16F);
+    case kFf:
+      set(kJawOpen, 0.05F);
+      set(kMouthRollLower, 0.7F);
+      both(kMouthUpperUpLeft, 0.4F);
+      both(kMouthStretchLeft, 0.1F);
+      break;
+    case kTh:
+      set(kJawOpen, 0.14F);
       set(kTongueOut, 0.35F);
+      both(kMouthLowerDownLeft, 0.1F);
       break;
-    case kAlveolar:
-      set(kJawOpen, 0.12F);
-      both(kMouthStretchLeft, kMouthStretchRight, 0.2F);
-      both(kMouthLowerDownLeft, kMouthLowerDownRight, 0.2F);
-      break;
-    case kRounded:
-      set(kMouthFunnel, 0.65F);
+    case kDd:
       set(kJawOpen, 0.1F);
+      set(kTongueUp, 0.5F);
+      both(kMouthStretchLeft, 0.15F);
+      both(kMouthLowerDownLeft, 0.2F);
       break;
-    case kBack:
+    case kKk:
       set(kJawOpen, 0.18F);
+      both(kMouthStretchLeft, 0.1F);
       break;
-    case kR:
-      set(kMouthPucker, 0.35F);
+    case kCh:
+      set(kJawOpen, 0.08F);
+      set(kMouthFunnel, 0.65F);
+      break;
+    case kSs:
+      set(kJawOpen, 0.03F);
+      both(kMouthStretchLeft, 0.4F);
+      both(kMouthLowerDownLeft, 0.35F);
+      both(kMouthUpperUpLeft, 0.2F);
+      break;
+    case kNn:
+      set(kJawOpen, 0.14F);
+      set(kTongueUp, 0.8F);
+      both(kMouthStretchLeft, 0.15F);
+      both(kMouthUpperUpLeft, 0.15F);
+      break;
+    case kRr:
       set(kJawOpen, 0.1F);
+      set(kMouthPucker, 0.35F);
       break;
-    case kW:
-      set(kMouthPucker, 0.9F);
-      break;
-    case kO:
-      set(kMouthFunnel, 0.7F);
-      set(kJawOpen, 0.28F);
-      break;
-    case kA:
-      set(kJawOpen, 0.42F);
+    case kAa:
+      set(kJawOpen, 0.45F);
+      both(kMouthStretchLeft, 0.1F);
       break;
     case kE:
       set(kJawOpen, 0.28F);
-      both(kMouthStretchLeft, kMouthStretchRight, 0.25F);
+      both(kMouthStretchLeft, 0.3F);
       break;
-    case kI:
+    case kIh:
       set(kJawOpen, 0.12F);
-      both(kMouthStretchLeft, kMouthStretchRight, 0.5F);
-      both(kMouthSmileLeft, kMouthSmileRight, 0.35F);
+      both(kMouthStretchLeft, 0.5F);
+      both(kMouthSmileLeft, 0.35F);
+      break;
+    case kOh:
+      set(kJawOpen, 0.28F);
+      set(kMouthFunnel, 0.7F);
+      break;
+    case kOu:
+      set(kJawOpen, 0.04F);
+      set(kMouthPucker, 0.9F);
       break;
   }
   return w;
