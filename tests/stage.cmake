@@ -9,4 +9,12 @@ if(AUSLANJAM_PROGRAMS)
   auslan_test(signer_pictures LABEL golden
     LIBRARIES auslan::stage auslan::synthesis auslan::lexicon auslan::caption auslan::picture auslan::golden)
   add_dependencies(signer_pictures_test auslan_baked_figure auslan_built_lexicon)
+
+  # Contact sheets of the figure, to look at.
+  add_executable(figure_sheets sheets/figure_sheets.cpp sheets/sheet.cpp)
+  target_link_libraries(figure_sheets PRIVATE
+    auslan::stage auslan::synthesis auslan::lexicon auslan::caption auslan::picture)
+  target_include_directories(figure_sheets PRIVATE sheets support)
+  target_compile_definitions(figure_sheets PRIVATE AUSLANJAM_BINARY_DIR="${PROJECT_BINARY_DIR}")
+  add_dependencies(figure_sheets auslan_baked_figure auslan_built_lexicon)
 endif()

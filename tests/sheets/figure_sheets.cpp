@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// figure_sheets FOLDER writes what a person should look at after a change of the figure: FOLDER/figure.png.
+#include "kinematics/arm_ik.h"
+#include "media/picture.h"
+#include "sheet.h"
+#include "shipped.h"
+#include "stage/stage.h"
+#include "synthesis/mouthing.h"
+#include "synthesis/non_manual.h"
+
+#include <cstdio>
+#include <exception>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace auslan::sheets {
+namespace {
+
+constexpr int kCell = 240;
+
+Picture drawn(const Figure& figure, const Pose& pose, CameraName camera, StageOptions options = {}) {
+  options.width = options.height = kCell;
+  options.camera = camera;
+  Stage stage = Stage::build(figure, options).value();
+  Picture picture = make_picture(kCell, kCell);
+  stage.render(pose, picture.pixels);
+  return picture;
+}
+
+/// Arms hanging, as before and after all signing.
+Pose standing() {
+  static const Pose pose = [] {
+    PerformanceOptions still;
+    still.idle = false;
+    Pose made;
+    Performance(*shipped().signer, score_of({"WHERE"}), still).sample(0, made);
+    return made;
+  }();
+  return pose;
+}
+
+Pose with_face(const FaceWeights& face) {
+  Pose pose = standing();
+  pose.face = face;
+  return pose;
+}
+
+/// The right hand up before the shoulder in a handshape, its palm to the viewer.
+Pose showing(const Handshape& handshape) {
+  const Signer& signer = *shipped().signer;
+  const Skeleton& skeleton = shipped().figure.skeleton;
+  Posture posture;
+  posture.fingers = {0, 1, 0};
+  posture.palm = {0, 0, 1};
+  posture.offset = Vec3(0.0, 0.0, 0.25);
+  const HandState state = signer.place(posture, handshape, Side::kRight, {}).state;
+  Pose pose = standing();
+  const ArmNodes nodes = arm_nodes(skeleton, Side::kRight);
+  const Transform trunk{kIdentity, skeleton.rest_position(skeleton.node(nodes.shoulder).parent)};
+  const ArmSolution arm = solve_arm(skeleton, Side::kRight, trunk, state.wrist, state.swivel);
+  pose.rotation[static_cast<size_t>(nodes.shoulder)] = arm.shoulder;
+  pose.rotation[static_cast<size_t>(nodes.elbow)] = arm.elbow;
+  pose.rotation[static_cast<size_t>(nodes.wrist)] = arm.wrist;
+  pose_hand(skeleton, Side::kRight, state.angles, pose);
+  return pose;
+}
+
+Row views() {
+  Row row{"At rest", {}};
+  for (const CameraName camera : {CameraName::kFront, CameraName::kThreeQuarter, CameraName::kSide, CameraName::kSigner,
+                                  CameraName::kFace})
+    row.cells.push_back({std::string(kCameraNames[static_cast<size_t>(camera)]),
+                         drawn(shipped().figure, standing(), camera)});
+  return row;
+}
+
+Row hands() {
+  Row row{"Handshapes", {}};
+  for (const char* id : {"flat", "fist", "point", "two", "okay", "good", "spread", "letter_c", "hook", "love", "bad",
+                         "mother"}) {
+    const auto handshape = shipped().lexicon->handshape(id);
+    row.cells.push_back({id, drawn(shipped().figure, showing(handshape.value().value()), CameraName::kHands)});
+  }
+  return row;
+}
+
+Row mouths() {
+  Row row{"Mouth shapes of speech", {}};
+  for (int i = 0; i < kVisemeCount; ++i)
+    row.cells.push_back({std::string(kVisemeNames[static_cast<size_t>(i)]),
+                         drawn(shipped().figure, with_face(weights_of(static_cast<Viseme>(i))), CameraName::kFace)});
+  return row;
+}
+
+Row expressions() {
+  struct Expression {
+    const char* label;
+    bool (*add)(std::string_view, FaceWeights&);
+    const char* word;
+  };
+  Row row{"Expressions", {}};
+  const auto gaze = [](std::string_view word, FaceWeights& face) {
+    BodyFeature body;
+    return add_gaze(word, body, face);
+  };
+  for (const Expression& one : {Expression{"brows raised", add_brows, "raise"},
+                                {"brows furrowed", add_brows, "furrow"},
+                                {"inner brows raised", add_brows, "inner-raise"},
+                                {"eyes wide", add_eyes, "wide"},
+                                {"eyes narrow", add_eyes, "narrow"},
+                                {"eyes closed", add_eyes, "closed"},
+                                {"smile", add_mouth, "smile"},
+                                {"mouth down", add_mouth, "down-turned"},
+                                {"cheeks puffed", add_cheeks, "puffed"},
+                                {"pained", add_face, "pained"},
+                                {"dislike", add_face, "dislike"},
+                                {"gaze left", +gaze, "left"}}) {
+    FaceWeights face{};
+    if (!one.add(one.word, face)) throw std::runtime_error(std::string("no such word: ") + one.word);
+    row.cells.push_back({one.label, drawn(shipped().figure, with_face(face), CameraName::kFace)});
+  }
+  return row;
+}
+
+void write_all(const std::string& folder) {
+  const CaptionPainter text = CaptionPainter::open().value();
+  const Picture sheet = contact_sheet({views(), hands(), mouths(), expressions()}, 6, kCell, kCell, text);
+  if (const auto written = write_png(folder + "/figure.png", sheet.view()); !written)
+    throw std::runtime_error(written.error().message);
+}
+
+}  // namespace
+}  // namespace auslan::sheets
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: figure_sheets FOLDER\n");
+    return 2;
+  }
+  try {
+    auslan::sheets::write_all(argv[1]);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "figure_sheets: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}
