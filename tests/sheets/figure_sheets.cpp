@@ -8,8 +8,11 @@
 #include "synthesis/mouthing.h"
 #include "synthesis/non_manual.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdio>
 #include <exception>
+#include <glm/mat4x4.hpp>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -28,6 +31,34 @@ Picture drawn(const Figure& figure, const Pose& pose, CameraName camera, StageOp
   Picture picture = make_picture(kCell, kCell);
   stage.render(pose, picture.pixels);
   return picture;
+}
+
+/// What lies round the right hand's knuckles, from a larger picture.
+Picture hand_close_up(const Figure& figure, const Pose& pose) {
+  constexpr int kLarge = 5 * kCell / 2;
+  const Skeleton& skeleton = figure.skeleton;
+  std::vector<Transform> world(static_cast<size_t>(skeleton.size()));
+  forward(skeleton, pose, world);
+  const int knuckle = arm_nodes(skeleton, Side::kRight).digits[2][0];
+  const raster::Camera camera = stage_camera(figure, CameraName::kHands, 1.0F);
+  const glm::vec4 clip = camera.clip_from_view * camera.view_from_world *
+                         glm::vec4(glm::vec3(world[static_cast<size_t>(knuckle)].position), 1.0F);
+  const auto pixel = [](float unit) {
+    return std::clamp(static_cast<int>((unit + 1.0F) * 0.5F * kLarge) - kCell / 2, 0, kLarge - kCell);
+  };
+  const int left = pixel(clip.x / clip.w);
+  const int top = pixel(-clip.y / clip.w);
+  StageOptions options;
+  options.width = options.height = kLarge;
+  options.camera = CameraName::kHands;
+  Stage stage = Stage::build(figure, options).value();
+  Picture large = make_picture(kLarge, kLarge);
+  stage.render(pose, large.pixels);
+  Picture part = make_picture(kCell, kCell);
+  for (int y = 0; y < kCell; ++y)
+    std::copy_n(large.pixels.begin() + static_cast<std::ptrdiff_t>(top + y) * kLarge + left, kCell,
+                part.pixels.begin() + static_cast<std::ptrdiff_t>(y) * kCell);
+  return part;
 }
 
 /// Arms hanging, as before and after all signing.
@@ -70,19 +101,19 @@ Pose showing(const Handshape& handshape) {
 
 Row views() {
   Row row{"At rest", {}};
-  for (const CameraName camera : {CameraName::kFront, CameraName::kThreeQuarter, CameraName::kSide, CameraName::kSigner,
-                                  CameraName::kFace})
-    row.cells.push_back({std::string(kCameraNames[static_cast<size_t>(camera)]),
-                         drawn(shipped().figure, standing(), camera)});
+  for (const CameraName camera :
+       {CameraName::kFront, CameraName::kThreeQuarter, CameraName::kSide, CameraName::kSigner, CameraName::kFace})
+    row.cells.push_back(
+        {std::string(kCameraNames[static_cast<size_t>(camera)]), drawn(shipped().figure, standing(), camera)});
   return row;
 }
 
 Row hands() {
   Row row{"Handshapes", {}};
-  for (const char* id : {"flat", "fist", "point", "two", "okay", "good", "spread", "letter_c", "hook", "love", "bad",
-                         "mother"}) {
+  for (const char* id :
+       {"flat", "fist", "point", "two", "okay", "good", "spread", "letter_c", "hook", "love", "bad", "mother"}) {
     const auto handshape = shipped().lexicon->handshape(id);
-    row.cells.push_back({id, drawn(shipped().figure, showing(handshape.value().value()), CameraName::kHands)});
+    row.cells.push_back({id, hand_close_up(shipped().figure, showing(handshape.value().value()))});
   }
   return row;
 }

@@ -128,6 +128,15 @@ void add_performance(CLI::App& app, Options& options) {
   });
 }
 
+void add_yes_or_no(CLI::App& app, const char* name, const std::string& what, bool& value) {
+  add_parsed(app, name, what + (value ? "; yes or no (yes)" : "; yes or no (no)"), "WORD",
+             [&value](const std::string& text) -> std::string {
+               if (text != "yes" && text != "no") return "takes yes or no, not \"" + text + "\"";
+               value = text == "yes";
+               return {};
+             });
+}
+
 /// What a frame looks like.
 void add_frame_form(CLI::App& app, Options& options) {
   add_parsed(app, "--size", "Of the picture in pixels (1280x720)", "WxH",
@@ -152,12 +161,9 @@ void add_frame_form(CLI::App& app, Options& options) {
                options.stage.rigid = text == "rigid";
                return {};
              });
-  add_parsed(app, "--shadow", "yes or no: hands throw a shadow on body and face (yes)", "WORD",
-             [&options](const std::string& text) -> std::string {
-               if (text != "yes" && text != "no") return "takes yes or no, not \"" + text + "\"";
-               options.stage.shadow = text == "yes";
-               return {};
-             });
+  add_yes_or_no(app, "--shadow", "Hands throw a shadow on body and face", options.stage.shadow);
+  add_yes_or_no(app, "--outline", "A dark line round hands, face and clothes, for eyes or screens that lack contrast",
+                options.stage.outline);
   add_parsed(app, "--camera", "front, three-quarter, side, signer, hands or face (front)", "NAME",
              [&options](const std::string& text) -> std::string {
                const auto camera = camera_from_name(text);

@@ -2,6 +2,7 @@
 #include "stage/stage.h"
 
 #include "arm_shadow.h"
+#include "outline.h"
 
 #include <algorithm>
 #include <cassert>
@@ -14,18 +15,23 @@ namespace auslan {
 
 raster::Lighting stage_lighting() {
   raster::Lighting lighting;
-  // A key light from the viewer's upper left, so that the nose and the hands throw their shading to one side; a weak
-  // fill from the other side; a sky a little brighter than the floor.
+  // A key light from the viewer's upper right, so that the nose and the hands throw their shading to one side; a weak
+  // fill from the other side; a rim from behind and above, which edges hair, shoulders and hands; a sky a little
+  // brighter than the floor.
   lighting.key_direction = glm::vec3(0.55F, 0.75F, 0.85F);
   lighting.key_colour = glm::vec3(0.66F, 0.64F, 0.60F);
   lighting.fill_direction = glm::vec3(-0.8F, 0.15F, 0.6F);
   lighting.fill_colour = glm::vec3(0.17F, 0.18F, 0.20F);
+  lighting.rim_direction = glm::vec3(-0.45F, 0.55F, -0.75F);
+  lighting.rim_colour = glm::vec3(0.42F, 0.43F, 0.45F);
   lighting.ambient_sky = glm::vec3(0.34F, 0.35F, 0.37F);
   lighting.ambient_ground = glm::vec3(0.20F, 0.19F, 0.18F);
   return lighting;
 }
 
 namespace {
+
+constexpr float kOutlineWidth = 0.0016F;  // metres
 
 glm::vec3 to_float(const Vec3& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
@@ -88,7 +94,8 @@ raster::Camera stage_camera(const Figure& figure, CameraName name, float aspect)
       cot = 5.2;
       break;
     case CameraName::kSigner:
-      eye = head + Vec3(0, 0.13, 0.10);
+      // Before the nose, which no signer minds.
+      eye = head + Vec3(0, 0.12, 0.19);
       target = chest + Vec3(0, -0.05, 0.42);
       cot = 1.25;
       break;
@@ -98,9 +105,9 @@ raster::Camera stage_camera(const Figure& figure, CameraName name, float aspect)
       cot = 6.2;
       break;
     case CameraName::kFace:
-      target = head + Vec3(0, 0.07 + 0.4 * taller, 0.05);
+      target = head + Vec3(0, 0.06 + 0.4 * taller, 0.05);
       eye = target + Vec3(0, 0.02, 1.5 + 5.0 * taller);
-      cot = 8.0;
+      cot = 9.2;
       break;
   }
   return raster::look_at(to_float(eye), to_float(target), to_float(up), static_cast<float>(cot), aspect, 0.02F);
@@ -118,6 +125,7 @@ Stage::Stage(const Figure& figure, std::unique_ptr<BodyModel> model, Textures te
       model_(std::move(model)),
       textures_(textures),
       shadow_(options.shadow ? std::make_unique<ArmShadow>(figure.skeleton, stage_lighting().key_direction) : nullptr),
+      outline_(options.outline ? std::make_unique<Outline>(kOutlineWidth) : nullptr),
       renderer_(options.threads, options.kernel.value()),
       camera_(
           stage_camera(figure, options.camera, static_cast<float>(options.width) / static_cast<float>(options.height))),
@@ -185,6 +193,13 @@ void Stage::render(const Pose& pose, std::span<uint32_t> pixels, raster::Canvas 
     if (mesh.image >= 0 && mesh.alpha_cutoff > 0.0F && texture.texture == nullptr) continue;
     renderer_.draw({mesh.positions, mesh.normals, mesh.colours, mesh.indices, mesh.revision, texture},
                    mesh.world_from_mesh, shading);
+  }
+  if (outline_ != nullptr) {
+    for (const PosedMesh& hull : outline_->around(meshes)) {
+      if (hull.alpha_cutoff > 0.0F) continue;  // cut out of an image: it has no hull
+      renderer_.draw({hull.positions, hull.normals, hull.colours, hull.indices, hull.revision}, hull.world_from_mesh,
+                     shading);
+    }
   }
   status = renderer_.end_frame(pixels, canvas);
   assert(status == raster::Status::kOk);

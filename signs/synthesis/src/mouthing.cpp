@@ -132,11 +132,11 @@ FaceWeights weights_of(Viseme viseme) {
       set(kMouthPucker, 0.35F);
       break;
     case kAa:
-      set(kJawOpen, 0.45F);
+      set(kJawOpen, 0.6F);
       both(kMouthStretchLeft, 0.1F);
       break;
     case kE:
-      set(kJawOpen, 0.28F);
+      set(kJawOpen, 0.35F);
       both(kMouthStretchLeft, 0.3F);
       break;
     case kIh:
@@ -145,7 +145,7 @@ FaceWeights weights_of(Viseme viseme) {
       both(kMouthSmileLeft, 0.35F);
       break;
     case kOh:
-      set(kJawOpen, 0.28F);
+      set(kJawOpen, 0.3F);
       set(kMouthFunnel, 0.7F);
       break;
     case kOu:

@@ -35,6 +35,7 @@ struct StageOptions {
   bool flat = false;               ///< flat shading, with the rigid flat model
   bool rigid = false;              ///< rigid segments instead of joints that bend the skin
   bool shadow = true;              ///< hands and forearms throw a shadow on body and face
+  bool outline = false;            ///< a dark line round every part of the body
   CameraName camera = CameraName::kFront;
   uint32_t background = 0xC9D3D9;        ///< 0x00RRGGBB
   int threads = 1;                       ///< that share the work of a frame
@@ -47,6 +48,7 @@ raster::Camera stage_camera(const Figure& figure, CameraName name, float aspect)
 raster::Lighting stage_lighting();
 
 class ArmShadow;
+class Outline;
 
 /// Images of a figure, by the number that PosedMesh::image names.
 using Textures = std::span<const std::optional<raster::Texture>>;
@@ -84,6 +86,7 @@ class Stage {
   std::unique_ptr<BodyModel> model_;
   Textures textures_;
   std::unique_ptr<ArmShadow> shadow_;  ///< null: none
+  std::unique_ptr<Outline> outline_;   ///< null: none
   raster::Renderer renderer_;
   raster::Camera camera_;
   std::vector<Transform> world_;
