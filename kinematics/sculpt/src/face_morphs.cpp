@@ -32,9 +32,10 @@ double bump(const Site& site, const Vec3& p, const Vec3& centre, double radius) 
 
 /// How much of the jaw's swing a vertex takes.
 double jaw_share(const Site& site, const Vec3& p) {
+  // A corner goes with both lips, so that they part in a parabola: a lens, as lips do, not a box.
   constexpr double kCorner = 0.42;
-  const double lip = site.up < 0.0 ? mix(kCorner, 1.0, smooth_step(0.0, 0.7, 0.0 - site.up))
-                                   : kCorner * (1.0 - smooth_step(0.0, 0.45, site.up));
+  const double inner = site.up * site.up;
+  const double lip = site.up < 0.0 ? mix(kCorner, 1.0, inner) : kCorner * (1.0 - inner);
   switch (site.piece) {
     case Piece::kMouthPocket:
       return lip;
@@ -252,7 +253,7 @@ Vec3 displacement(FaceChannel channel, const Site& site, const Vec3& p, double e
       return left ? lid(site, 15.0, -13.0) + Vec3(0.0, 2.6, 1.0) * bump(site, p, {34.0, 18.0, 86.0}, 24.0) : Vec3(0.0);
     case kJawOpen:
       // The upper lip gives a little, so that the teeth's edge shows.
-      return jaw_swing(site, p, 21.0) + Vec3(0.0, 1.8, 0.0) * (upper_lip(site) * near_mouth(site, 7.0, 22.0));
+      return jaw_swing(site, p, 21.0) + Vec3(0.0, 3.4, 0.3) * (upper_lip(site) * near_mouth(site, 7.0, 22.0));
     default:
       return mouth(channel, site, p);
   }

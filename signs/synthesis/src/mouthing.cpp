@@ -98,7 +98,7 @@ FaceWeights weights_of(Viseme viseme) {
       break;
     case kTh:
       set(kJawOpen, 0.14F);
-      set(kTongueOut, 0.35F);
+      set(kTongueOut, 0.6F);
       both(kMouthLowerDownLeft, 0.1F);
       break;
     case kDd:
