@@ -73,6 +73,16 @@ Pose standing() {
   return pose;
 }
 
+/// Both hands before the body.
+Pose signing() {
+  PerformanceOptions still;
+  still.idle = false;
+  const Score score = score_of({"WHERE"});
+  Pose pose;
+  Performance(*shipped().signer, score, still).sample(score.glosses.front().end - ticks(0.05), pose);
+  return pose;
+}
+
 Pose with_face(const FaceWeights& face) {
   Pose pose = standing();
   pose.face = face;
@@ -100,11 +110,13 @@ Pose showing(const Handshape& handshape) {
 }
 
 Row views() {
-  Row row{"At rest", {}};
-  for (const CameraName camera :
-       {CameraName::kFront, CameraName::kThreeQuarter, CameraName::kSide, CameraName::kSigner, CameraName::kFace})
+  Row row{"Views, at rest and signing", {}};
+  for (const CameraName camera : {CameraName::kFront, CameraName::kThreeQuarter, CameraName::kSide, CameraName::kFace})
     row.cells.push_back(
         {std::string(kCameraNames[static_cast<size_t>(camera)]), drawn(shipped().figure, standing(), camera)});
+  for (const CameraName camera : {CameraName::kSigner, CameraName::kHands})
+    row.cells.push_back({std::string(kCameraNames[static_cast<size_t>(camera)]) + ", WHERE",
+                         drawn(shipped().figure, signing(), camera)});
   return row;
 }
 
