@@ -5,6 +5,7 @@
 #include "stroke.h"
 #include "synthesis/mouthing.h"
 #include "synthesis/non_manual.h"
+#include "way.h"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +42,11 @@ class Choreographer {
   Tick scaled(double duration) const { return std::max<Tick>(1, ticks(duration / options_.speed)); }
   bool uses_left(size_t unit) const;
   void stay(size_t side, Tick until);
-  void move(size_t side, Tick until, const HandState& to, const Vec3& bulge, double digits_lead);
+  /// Fills the track of a hand with a segment that ends then; nothing when it reaches so far already.
+  void append(size_t side, Tick until, HandSegment segment);
+  Way way_to(size_t side, const HandState& to, const Vec3& bulge) const {
+    return find_way(signer_, static_cast<Side>(side), hand_[side], to, bulge);
+  }
   /// Brings the base hand down from where it is, beginning with what was not yet laid out since `since`.
   void lower_left(Tick since, const HandState& low);
   void transition(const SignPerformance& performance, const Unit& unit);
@@ -70,26 +75,24 @@ bool Choreographer::uses_left(size_t unit) const {
 }
 
 void Choreographer::stay(size_t side, Tick until) {
-  move(side, until, hand_[side], Vec3(0.0), 1.0);
+  HandSegment segment;
+  segment.from = segment.to = hand_[side];
+  append(side, until, segment);
 }
 
-void Choreographer::move(size_t side, Tick until, const HandState& to, const Vec3& bulge, double digits_lead) {
+void Choreographer::append(size_t side, Tick until, HandSegment segment) {
   auto& track = score_.hands[side];
-  const Tick begin = track.empty() ? 0 : track.back().end;
-  if (until <= begin) return;
-  HandSegment segment;
-  segment.begin = begin;
+  segment.begin = track.empty() ? 0 : track.back().end;
   segment.end = until;
-  segment.from = hand_[side];
-  segment.to = to;
-  segment.bulge = bulge;
-  segment.digits_lead = digits_lead;
+  if (segment.end <= segment.begin) return;
   track.push_back(segment);
-  hand_[side] = to;
+  hand_[side] = segment.to;
 }
 
 void Choreographer::lower_left(Tick since, const HandState& low) {
-  move(kLeft, std::max(now_, since + scaled(stroke::kLongestTransition)), low, Vec3(0, 0, 0.04), 1.0);
+  const Way way = way_to(kLeft, low, Vec3(0, 0, 0.04));
+  const Tick end = std::max(now_, since + scaled(std::max(stroke::kLongestTransition, way.seconds)));
+  append(kLeft, end, way.segment);
   now_ = std::max(now_, score_.hands[kLeft].back().end);
   raised_[kLeft] = false;
 }
@@ -110,7 +113,7 @@ void Choreographer::transition(const SignPerformance& performance, const Unit& u
     time = std::clamp(time, stroke::kShortestTransition, stroke::kLongestTransition);
     if (from_rest) time = std::max(time, stroke::kFromRest);
   }
-  const Tick until = now_ + scaled(time);
+  std::array<Way, 2> ways;
   for (const size_t side : {kLeft, kRight}) {
     if (!performance.active[side]) continue;
     const HandState& to = performance.start[side];
@@ -120,9 +123,14 @@ void Choreographer::transition(const SignPerformance& performance, const Unit& u
     const double lift = std::min(0.06, 0.3 * distance);
     Vec3 bulge = 0.5 * lift * (performance.approach[side] + leave_[side]);
     bulge.z += std::max(0.0, 0.22 * (distance - 0.08));
-    move(side, until, to, bulge, unit.spelled ? 0.85 : 0.75);
+    ways[side] = way_to(side, to, bulge);
+    ways[side].segment.digits_lead = unit.spelled ? 0.85 : 0.75;
+    time = std::max(time, ways[side].seconds);
     raised_[side] = true;
   }
+  const Tick until = now_ + scaled(time);
+  for (const size_t side : {kLeft, kRight})
+    if (performance.active[side]) append(side, until, ways[side].segment);
   now_ = until;
 }
 
@@ -280,9 +288,11 @@ Result<Score> Choreographer::run() {
     add_mouthing(unit, {spans_[i].begin, spans_[last].end});
   }
   add_spans();
-  const Tick lowered = now_ + scaled(stroke::kFromRest + 0.1);
-  move(kLeft, raised_[kLeft] ? lowered : now_, low_left, Vec3(0, 0, 0.05), 1.0);
-  move(kRight, lowered, low_right, Vec3(0, 0, 0.05), 1.0);
+  const std::array<Way, 2> ways = {way_to(kLeft, low_left, Vec3(0, 0, 0.05)),
+                                   way_to(kRight, low_right, Vec3(0, 0, 0.05))};
+  const Tick lowered = now_ + scaled(std::max({stroke::kFromRest + 0.1, ways[kLeft].seconds, ways[kRight].seconds}));
+  for (const size_t side : {kLeft, kRight})
+    append(side, side == kLeft && !raised_[kLeft] ? now_ : lowered, ways[side].segment);
   score_.end = lowered + scaled(0.25);
   stay(kLeft, score_.end);
   stay(kRight, score_.end);

@@ -118,7 +118,7 @@ HandState state_at(const HandSegment& segment, Tick time) {
     state.wrist.position += segment.circle_u * (cs - 1.0) + segment.circle_v * sn;
   }
   state.wrist.rotation = slerp(a.wrist.rotation, b.wrist.rotation, s);
-  state.swivel = mix(a.swivel, b.swivel, s);
+  state.swivel = mix(a.swivel, b.swivel, s) + segment.swivel_bulge * (4.0 * s * (1.0 - s));
   state.follows_head = mix(a.follows_head, b.follows_head, s);
   state.angles = mix(a.angles, b.angles, minimum_jerk(tau / std::max(0.05, segment.digits_lead)));
   oscillate(segment.oscillation, tau, state);

@@ -252,21 +252,38 @@ void Signer::reach_comfortably(Side side, const Vec3& part, const Vec3& target, 
   turn_to(lean);
 }
 
+double Signer::hand_depth(Side side, const HandState& state) const {
+  constexpr double kFingerRadius = 0.008, kPalmRadius = 0.015;
+  double deepest = trunk_.depth(state.wrist.position, kWristRadius);
+  const auto part = [&](HandPart at, double radius) {
+    const Vec3 place = apply(state.wrist, hand(side).site(at, state.angles).position);
+    deepest = std::max(deepest, trunk_.depth(place, radius));
+  };
+  part(HandPart::kPalm, kPalmRadius);
+  for (const HandPart tip :
+       {HandPart::kThumbTip, HandPart::kIndexTip, HandPart::kMiddleTip, HandPart::kLittleTip, HandPart::kIndexKnuckle})
+    part(tip, kFingerRadius);
+  return deepest;
+}
+
+double Signer::forearm_depth(Side side, const HandState& state) const {
+  const ArmPlacement arm = place_arm(side, state);
+  double deepest = 0;
+  for (const double along : {0.0, 0.3, 0.6, 0.9}) {
+    const Vec3 point = arm.elbow.position + (arm.wrist.position - arm.elbow.position) * along;
+    deepest = std::max(deepest, trunk_.depth(point, mix(kElbowRadius, kWristRadius, along)));
+  }
+  return deepest;
+}
+
 double Signer::swivel_for(Side side, const Transform& world_from_wrist) const {
   const Transform parent = parent_of_shoulder(figure_->skeleton, side);
   const double natural = natural_swivel(figure_->skeleton, side, parent, world_from_wrist);
-  // How deep the elbow and the forearm lie in the trunk with a swivel.
   const auto depth = [&](double swivel) {
     HandState state;
     state.wrist = world_from_wrist;
     state.swivel = swivel;
-    const ArmPlacement arm = place_arm(side, state);
-    double deepest = 0;
-    for (const double along : {0.0, 0.3, 0.6, 0.9}) {
-      const Vec3 point = arm.elbow.position + (arm.wrist.position - arm.elbow.position) * along;
-      deepest = std::max(deepest, trunk_.depth(point, mix(kElbowRadius, kWristRadius, along)));
-    }
-    return deepest;
+    return forearm_depth(side, state);
   };
   double best = natural, least = depth(natural);
   for (int step = 1; step <= kSwivelSteps && least > traits_.trunk_gives; ++step) {

@@ -11,7 +11,8 @@
 
 namespace auslan {
 
-/// The classes of sounds that look alike on the lips: MPEG-4's fourteen and silence (ISO/IEC 14496-2, facial animation).
+/// The classes of sounds that look alike on the lips: MPEG-4's fourteen and silence (ISO/IEC 14496-2, facial
+/// animation).
 enum class Viseme { kSilence, kPp, kFf, kTh, kDd, kKk, kCh, kSs, kNn, kRr, kAa, kE, kIh, kOh, kOu };
 inline constexpr int kVisemeCount = 15;
 /// Their usual short names, in enum order ("PP" as in pea, "ou" as in moon).

@@ -48,9 +48,10 @@ struct Oscillation {
 struct HandSegment {
   Tick begin = 0, end = 0;
   HandState from, to;
-  Vec3 bulge{0.0};     ///< displacement of the middle of the path from the straight line, metres
-  Vec3 circle_u{0.0};  ///< from the circle's centre to the starting point, metres; zero: no circle
-  Vec3 circle_v{0.0};  ///< a quarter turn further
+  Vec3 bulge{0.0};          ///< displacement of the middle of the path from the straight line, metres
+  double swivel_bulge = 0;  ///< by which the elbow swings out in the middle of the path, radians
+  Vec3 circle_u{0.0};       ///< from the circle's centre to the starting point, metres; zero: no circle
+  Vec3 circle_v{0.0};       ///< a quarter turn further
   double turns = 0;
   double digits_lead = 1;  ///< the digits arrive after this fraction of the segment: handshape leads location
   Oscillation oscillation;

@@ -68,6 +68,10 @@ class Signer {
   /// A natural swivel for a wrist, moved on where it would put the forearm into the trunk.
   double swivel_for(Side side, const Transform& world_from_wrist) const;
 
+  /// How deep a hand, and how deep its forearm, lie in the trunk at rest, metres; 0 outside. Both are taken as balls.
+  double hand_depth(Side side, const HandState& state) const;
+  double forearm_depth(Side side, const HandState& state) const;
+
   /// The hand hanging beside the hip: the start and end of all signing.
   HandState rest(Side side) const;
 

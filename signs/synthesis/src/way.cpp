@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "way.h"
+
+#include "kinematics/interpolate.h"
+#include "kinematics/rotation.h"
+#include "synthesis/performance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace auslan {
+namespace {
+
+constexpr int kSamples = 8;
+constexpr double kTolerated = 0.003, kRoom = 0.01;  // metres
+constexpr double kFarthest = 0.25;                  // that a path is bent, metres
+constexpr double kFastest = 3.6;                    // of a wrist, metres a second; the limit of the project is 4
+
+HandState state_after(const HandSegment& segment, double share) {
+  return state_at(segment, static_cast<Tick>(share * static_cast<double>(segment.end)));
+}
+
+/// The sample that lies deepest in the trunk, and how much deeper than its ends account for; 0 and 0 when none does.
+std::pair<int, double> deepest_sample(const Signer& signer, Side side, const HandSegment& segment) {
+  const double from_depth = signer.hand_depth(side, segment.from);
+  const double to_depth = signer.hand_depth(side, segment.to);
+  std::pair<int, double> worst(0, kTolerated);
+  for (int i = 1; i < kSamples; ++i) {
+    const double share = static_cast<double>(i) / kSamples;
+    const double own = std::max({from_depth * (1.0 - 3.0 * share), to_depth * (3.0 * share - 2.0), 0.0});
+    const double depth = signer.hand_depth(side, state_after(segment, share)) - own;
+    if (depth > worst.second) worst = {i, depth};
+  }
+  return worst.first == 0 ? std::pair(0, 0.0) : worst;
+}
+
+void bend_out(const Signer& signer, Side side, HandSegment& segment) {
+  constexpr int kRounds = 5;
+  for (int round = 0; round < kRounds; ++round) {
+    const auto [sample, depth] = deepest_sample(signer, side, segment);
+    if (sample == 0) return;
+    const double share = static_cast<double>(sample) / kSamples;
+    const double s = minimum_jerk(share);
+    // Before the body forwards, beside it outwards too.
+    const double x = state_after(segment, share).wrist.position.x;
+    const double beside = std::clamp(std::abs(x) / 0.2, 0.0, 1.0);
+    const Vec3 out = unit(Vec3(x < 0.0 ? -beside : beside, 0.0, 1.0));
+    segment.bulge += out * ((depth + kRoom) / std::max(0.4, 4.0 * s * (1.0 - s)));
+    const double length = std::sqrt(glm::dot(segment.bulge, segment.bulge));
+    if (length > kFarthest) segment.bulge *= kFarthest / length;
+  }
+}
+
+void swing_out(const Signer& signer, Side side, HandSegment& segment) {
+  double least = 1e9;
+  double best = 0.0;
+  for (const double swing : {0.0, 0.25, -0.25, 0.5, -0.5, 0.75, -0.75}) {
+    segment.swivel_bulge = swing;
+    double deepest = 0.0;
+    for (int i = 1; i < kSamples; ++i)
+      deepest = std::max(deepest, signer.forearm_depth(side, state_after(segment, static_cast<double>(i) / kSamples)));
+    // A swing must be worth it.
+    if (deepest > least - 0.005) continue;
+    least = deepest;
+    best = swing;
+    if (least <= kTolerated) break;
+  }
+  segment.swivel_bulge = best;
+}
+
+/// The greatest speed of the wrist when the way takes a second, metres a second.
+double peak_speed(const HandSegment& segment) {
+  constexpr int kSteps = 32;
+  double peak = 0.0;
+  Vec3 before = segment.from.wrist.position;
+  for (int i = 1; i <= kSteps; ++i) {
+    const Vec3 now = state_after(segment, static_cast<double>(i) / kSteps).wrist.position;
+    peak = std::max(peak, std::sqrt(glm::dot(now - before, now - before)) * kSteps);
+    before = now;
+  }
+  return peak;
+}
+
+}  // namespace
+
+Way find_way(const Signer& signer, Side side, const HandState& from, const HandState& to, const Vec3& bulge) {
+  Way way;
+  way.segment.end = kTicksPerSecond;
+  way.segment.from = from;
+  way.segment.to = to;
+  way.segment.bulge = bulge;
+  const Vec3 apart = to.wrist.position - from.wrist.position;
+  if (glm::dot(apart, apart) < 1e-4) return way;
+  bend_out(signer, side, way.segment);
+  swing_out(signer, side, way.segment);
+  way.seconds = peak_speed(way.segment) / kFastest;
+  return way;
+}
+
+}  // namespace auslan
