@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// A mesh as a body with an inside: how far a point lies from its surface, or how deep below it.
+#pragma once
+
+#include "kinematics/figure.h"
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace auslan {
+
+/// The place of a surface that is nearest to a point, in the mesh's frame.
+struct NearestSurface {
+  Vec3 position{0.0};
+  Vec3 normal{0.0};     ///< unit, outwards; where edges meet, the mean of their triangles weighted by angle
+  double distance = 0;  ///< metres; negative for a point inside
+};
+
+/// One or more closed parts that may overlap, as a figure's segments are. Built once, asked often; owns what it needs.
+///
+/// Whether a point is inside is told by the angle-weighted normal of the nearest vertex, edge or triangle of each part
+/// (Baerentzen & Aanaes 2005), which is exact for closed parts that do not cut themselves.
+class Solid {
+ public:
+  /// The mesh passes check_figure. An empty one makes a solid that is nowhere.
+  explicit Solid(const Mesh& mesh);
+
+  /// Nothing when the surface is farther than `within` metres. A point inside several parts is as deep as in the one in
+  /// which it is deepest: never deeper than it truly is below the surface of all of them together.
+  std::optional<NearestSurface> nearest(const Vec3& point, double within) const;
+
+  /// A box that holds everything, mesh frame; low > high for an empty solid.
+  const Vec3& low() const { return low_; }
+  const Vec3& high() const { return high_; }
+
+ private:
+  struct Triangle {
+    std::array<Vec3, 3> corner;
+    Vec3 normal{0.0};                     ///< unit, or zero without area
+    std::array<Vec3, 3> edge_normal{};    ///< of corner i to corner i + 1; any length
+    std::array<Vec3, 3> corner_normal{};  ///< any length
+  };
+  /// A node of a part's tree: a box round some triangles, two nodes or a few triangles below it.
+  struct Box {
+    Vec3 low, high;
+    uint32_t first = 0;  ///< of its triangles; of a node with children: the first child, the other follows
+    uint32_t count = 0;  ///< of its triangles; 0: it has children
+  };
+  struct Part {
+    std::vector<Triangle> triangles;
+    std::vector<Box> boxes;  ///< the root first
+  };
+
+  static Part make_part(const Mesh& mesh, std::span<const uint32_t> triangles);
+  static void divide(Part& part, uint32_t box);
+  static std::optional<NearestSurface> nearest_of(const Part& part, const Vec3& point, double within);
+
+  std::vector<Part> parts_;
+  Vec3 low_{1.0}, high_{-1.0};
+};
+
+}  // namespace auslan

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kinematics/solid.h"
+
+#include "kinematics/elementary.h"
+#include "kinematics/rotation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace auslan {
+namespace {
+
+constexpr uint32_t kLeaf = 4;  // triangles of a box that is not divided
+constexpr size_t kDeepest = 64;
+
+double square(const Vec3& v) {
+  return glm::dot(v, v);
+}
+
+/// Which part each vertex belongs to: vertices of one triangle belong together.
+std::vector<uint32_t> part_of_vertices(const Mesh& mesh) {
+  std::vector<uint32_t> parent(mesh.positions.size());
+  std::iota(parent.begin(), parent.end(), 0U);
+  const auto root = [&parent](uint32_t vertex) {
+    while (parent[vertex] != vertex)
+      vertex = parent[vertex] = parent[parent[vertex]];
+    return vertex;
+  };
+  for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+    const uint32_t a = root(mesh.indices[i]);
+    for (const size_t corner : {i + 1, i + 2})
+      parent[std::max(a, root(mesh.indices[corner]))] = std::min(a, root(mesh.indices[corner]));
+  }
+  for (uint32_t vertex = 0; vertex < parent.size(); ++vertex)
+    parent[vertex] = root(vertex);
+  return parent;
+}
+
+/// Where a point is nearest to a triangle: the weights of its corners, after Ericson, Real-Time Collision Detection
+/// (2005), 5.1.5. A weight is exactly 0 where the place lies on the edge opposite to that corner.
+Vec3 nearest_weights(const std::array<Vec3, 3>& corner, const Vec3& point) {
+  const Vec3 ab = corner[1] - corner[0];
+  const Vec3 ac = corner[2] - corner[0];
+  const Vec3 ap = point - corner[0];
+  const double d1 = glm::dot(ab, ap);
+  const double d2 = glm::dot(ac, ap);
+  if (d1 <= 0.0 && d2 <= 0.0) return {1.0, 0.0, 0.0};
+  const Vec3 bp = point - corner[1];
+  const double d3 = glm::dot(ab, bp);
+  const double d4 = glm::dot(ac, bp);
+  if (d3 >= 0.0 && d4 <= d3) return {0.0, 1.0, 0.0};
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) {
+    const double v = d1 / (d1 - d3);
+    return {1.0 - v, v, 0.0};
+  }
+  const Vec3 cp = point - corner[2];
+  const double d5 = glm::dot(ab, cp);
+  const double d6 = glm::dot(ac, cp);
+  if (d6 >= 0.0 && d5 <= d6) return {0.0, 0.0, 1.0};
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) {
+    const double w = d2 / (d2 - d6);
+    return {1.0 - w, 0.0, w};
+  }
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0) {
+    const double w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+    return {0.0, 1.0 - w, w};
+  }
+  const double sum = (va + vb) + vc;
+  return {va / sum, vb / sum, vc / sum};
+}
+
+double squared_distance(const Vec3& low, const Vec3& high, const Vec3& point) {
+  double sum = 0.0;
+  for (glm::length_t i = 0; i < 3; ++i) {
+    const double beyond = std::max({low[i] - point[i], point[i] - high[i], 0.0});
+    sum += beyond * beyond;
+  }
+  return sum;
+}
+
+double corner_angle(const Vec3& from, const Vec3& a, const Vec3& b) {
+  return arc_cosine(glm::dot(unit(a - from, Vec3(0.0)), unit(b - from, Vec3(0.0))));
+}
+
+}  // namespace
+
+Solid::Solid(const Mesh& mesh) {
+  const std::vector<uint32_t> part_of = part_of_vertices(mesh);
+  std::map<uint32_t, std::vector<uint32_t>> triangles_of;
+  for (uint32_t i = 0; i < mesh.indices.size() / 3; ++i)
+    triangles_of[part_of[mesh.indices[3 * size_t{i}]]].push_back(i);
+  for (const auto& [vertex, triangles] : triangles_of)
+    parts_.push_back(make_part(mesh, triangles));
+  for (size_t i = 0; i < parts_.size(); ++i) {
+    const Box& box = parts_[i].boxes.front();
+    low_ = i == 0 ? box.low : glm::min(low_, box.low);
+    high_ = i == 0 ? box.high : glm::max(high_, box.high);
+  }
+}
+
+Solid::Part Solid::make_part(const Mesh& mesh, std::span<const uint32_t> triangles) {
+  Part part;
+  std::map<uint32_t, Vec3> of_corner;
+  std::map<std::pair<uint32_t, uint32_t>, Vec3> of_edge;
+  const auto index = [&](uint32_t triangle, size_t corner) { return mesh.indices[3 * size_t{triangle} + corner % 3]; };
+  const auto edge = [&](uint32_t triangle, size_t corner) {
+    return std::minmax({index(triangle, corner), index(triangle, corner + 1)});
+  };
+  for (const uint32_t i : triangles) {
+    Triangle triangle;
+    for (size_t c = 0; c < 3; ++c)
+      triangle.corner[c] = Vec3(mesh.positions[index(i, c)]);
+    // In millimetres: twice the area of a triangle of skin is far below what unit() takes for zero.
+    const std::array<Vec3, 3>& at = triangle.corner;
+    triangle.normal = unit(glm::cross((at[1] - at[0]) * 1e3, (at[2] - at[0]) * 1e3), Vec3(0.0));
+    for (size_t c = 0; c < 3; ++c) {
+      of_corner.try_emplace(index(i, c), 0.0).first->second +=
+          triangle.normal * corner_angle(at[c], at[(c + 1) % 3], at[(c + 2) % 3]);
+      of_edge.try_emplace(edge(i, c), 0.0).first->second += triangle.normal;
+    }
+    part.triangles.push_back(triangle);
+  }
+  for (size_t i = 0; i < triangles.size(); ++i) {
+    for (size_t c = 0; c < 3; ++c) {
+      part.triangles[i].corner_normal[c] = of_corner[index(triangles[i], c)];
+      part.triangles[i].edge_normal[c] = of_edge[edge(triangles[i], c)];
+    }
+  }
+  part.boxes.push_back({Vec3(0.0), Vec3(0.0), 0, static_cast<uint32_t>(part.triangles.size())});
+  divide(part, 0);
+  return part;
+}
+
+void Solid::divide(Part& part, uint32_t box_index) {
+  Box box = part.boxes[box_index];
+  const auto begin = part.triangles.begin() + box.first;
+  box.low = Vec3(std::numeric_limits<double>::max());
+  box.high = -box.low;
+  for (auto triangle = begin; triangle != begin + box.count; ++triangle) {
+    for (const Vec3& corner : triangle->corner) {
+      box.low = glm::min(box.low, corner);
+      box.high = glm::max(box.high, corner);
+    }
+  }
+  const uint32_t count = box.count;
+  if (count <= kLeaf) {
+    part.boxes[box_index] = box;
+    return;
+  }
+  const Vec3 extent = box.high - box.low;
+  const glm::length_t axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
+  std::stable_sort(begin, begin + count, [axis](const Triangle& a, const Triangle& b) {
+    return (a.corner[0][axis] + a.corner[1][axis]) + a.corner[2][axis] <
+           (b.corner[0][axis] + b.corner[1][axis]) + b.corner[2][axis];
+  });
+  const auto children = static_cast<uint32_t>(part.boxes.size());
+  part.boxes.push_back({Vec3(0.0), Vec3(0.0), box.first, count / 2});
+  part.boxes.push_back({Vec3(0.0), Vec3(0.0), box.first + count / 2, count - count / 2});
+  box.first = children;
+  box.count = 0;
+  part.boxes[box_index] = box;
+  divide(part, children);
+  divide(part, children + 1);
+}
+
+std::optional<NearestSurface> Solid::nearest_of(const Part& part, const Vec3& point, double within) {
+  double best = within * within;
+  const Triangle* nearest = nullptr;
+  Vec3 weights(0.0);
+  std::array<uint32_t, kDeepest> stack{};
+  size_t depth = 0;
+  stack[depth++] = 0;
+  while (depth > 0) {
+    const Box& box = part.boxes[stack[--depth]];
+    if (squared_distance(box.low, box.high, point) > best) continue;
+    if (box.count == 0) {
+      const Box& a = part.boxes[box.first];
+      const Box& b = part.boxes[box.first + 1];
+      const bool a_first = squared_distance(a.low, a.high, point) <= squared_distance(b.low, b.high, point);
+      stack[depth++] = box.first + (a_first ? 1 : 0);
+      stack[depth++] = box.first + (a_first ? 0 : 1);
+      continue;
+    }
+    for (uint32_t i = box.first; i < box.first + box.count; ++i) {
+      const Triangle& triangle = part.triangles[i];
+      const Vec3 w = nearest_weights(triangle.corner, point);
+      const Vec3 place = (triangle.corner[0] * w.x + triangle.corner[1] * w.y) + triangle.corner[2] * w.z;
+      const double distance = square(point - place);
+      // Of triangles that are equally near, one with an area tells inside from outside.
+      if (distance > best || (distance == best && nearest != nullptr && triangle.normal == Vec3(0.0))) continue;
+      best = distance;
+      nearest = &triangle;
+      weights = w;
+    }
+  }
+  if (nearest == nullptr) return std::nullopt;
+  NearestSurface found;
+  found.position = (nearest->corner[0] * weights.x + nearest->corner[1] * weights.y) + nearest->corner[2] * weights.z;
+  Vec3 normal = nearest->normal;
+  for (glm::length_t i = 0; i < 3; ++i) {
+    const glm::length_t next = (i + 1) % 3;
+    const glm::length_t last = (i + 2) % 3;
+    if (weights[last] == 0.0 && weights[i] != 0.0 && weights[next] != 0.0)
+      normal = nearest->edge_normal[static_cast<size_t>(i)];
+    if (weights[next] == 0.0 && weights[last] == 0.0) normal = nearest->corner_normal[static_cast<size_t>(i)];
+  }
+  found.normal = unit(normal, nearest->normal);
+  const double side = glm::dot(point - found.position, normal);
+  found.distance = side < 0.0 ? -std::sqrt(best) : std::sqrt(best);
+  return found;
+}
+
+std::optional<NearestSurface> Solid::nearest(const Vec3& point, double within) const {
+  std::optional<NearestSurface> outside;
+  std::optional<NearestSurface> inside;
+  for (const Part& part : parts_) {
+    const auto found = nearest_of(part, point, within);
+    if (!found) continue;
+    if (found->distance < 0.0) {
+      if (!inside || found->distance < inside->distance) inside = found;
+    } else if (!outside || found->distance < outside->distance) {
+      outside = found;
+    }
+  }
+  return inside ? inside : outside;
+}
+
+}  // namespace auslan
