@@ -51,6 +51,8 @@ class Choreographer {
   void lower_left(Tick since, const HandState& low);
   void transition(const SignPerformance& performance, const Unit& unit);
   void add_beats(const SignPerformance& performance, const Unit& unit);
+  /// The hand shows its target from `begin` to `end`; one that it has shown until now goes on.
+  void show(size_t side, const std::optional<HandTarget>& target, Tick begin, Tick end);
   void add_mouthing(const Unit& unit, Span span);
   void add_own_features(const Unit& unit, Span span);
   void add_spans();
@@ -129,8 +131,11 @@ void Choreographer::transition(const SignPerformance& performance, const Unit& u
     raised_[side] = true;
   }
   const Tick until = now_ + scaled(time);
-  for (const size_t side : {kLeft, kRight})
-    if (performance.active[side]) append(side, until, ways[side].segment);
+  for (const size_t side : {kLeft, kRight}) {
+    if (!performance.active[side]) continue;
+    append(side, until, ways[side].segment);
+    show(side, performance.start_target[side], until, until);
+  }
   now_ = until;
 }
 
@@ -151,10 +156,20 @@ void Choreographer::add_beats(const SignPerformance& performance, const Unit& un
       segment.end = end;
       score_.hands[side].push_back(segment);
       hand_[side] = segment.to;
+      show(side, beat.target[side], beat.hold ? begin : end, end);
     }
     now_ = end;
   }
   leave_ = performance.leave;
+}
+
+void Choreographer::show(size_t side, const std::optional<HandTarget>& target, Tick begin, Tick end) {
+  if (!target) return;
+  auto& shown = score_.targets[side];
+  if (!shown.empty() && shown.back().end == begin) shown.pop_back();
+  shown.push_back(*target);
+  shown.back().begin = begin;
+  shown.back().end = end;
 }
 
 double Choreographer::hold_after(size_t unit) const {
@@ -259,7 +274,10 @@ Result<Score> Choreographer::run() {
     transition(*performance, unit);
     const Tick begin = now_;
     add_beats(*performance, unit);
+    const Tick held = now_;
     now_ += scaled(std::max(1e-6, hold_after(i)));
+    for (auto& shown : score_.targets)
+      if (!shown.empty() && shown.back().end == held && shown.back().begin < held) shown.back().end = now_;
     stay(kRight, now_);
     if (performance->active[kLeft]) {
       stay(kLeft, now_);

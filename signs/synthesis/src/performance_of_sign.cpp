@@ -22,6 +22,14 @@ Vec3 mirror_turn(const Vec3& v) {
   return {v.x, -v.y, -v.z};
 }
 
+HandTarget mirror(const HandTarget& target) {
+  HandTarget image = target;
+  image.fingers = mirror(target.fingers);
+  image.palm = mirror(target.palm);
+  image.part = mirror(target.part);
+  return image;
+}
+
 HandSegment mirror(const HandSegment& segment) {
   HandSegment image = segment;
   image.from = mirrored(segment.from);
@@ -83,6 +91,10 @@ class SignBuilder {
   void stroke_to(size_t from, size_t to, double factor);
   /// Appends a beat from the dominant hand's segment and the relation of the hands.
   void push(double seconds, bool hold, HandSegment dominant, size_t from, size_t to, const Movement* movement);
+  /// What a hand shows where a segment leaves it; nothing where that is not one of its postures.
+  std::optional<HandTarget> shown(const HandState& state, const std::vector<Posture>& postures,
+                                  const std::vector<PlacedHand>& placed) const;
+  std::array<std::optional<HandTarget>, 2> shown(const std::array<HandState, 2>& states) const;
   Vec3 direction_of(const Movement& movement, const Vec3& otherwise) const;
   Oscillation oscillation_of(const Movement& movement, size_t phase) const;
   void circle_of(const Movement& movement, size_t phase, HandSegment& segment) const;
@@ -248,7 +260,38 @@ void SignBuilder::push(double seconds, bool hold, HandSegment dominant, size_t f
       }
     }
   }
+  beat.target = shown({beat.hands[kLeft].to, beat.hands[kRight].to});
   result_.beats.push_back(beat);
+}
+
+std::optional<HandTarget> SignBuilder::shown(const HandState& state, const std::vector<Posture>& postures,
+                                             const std::vector<PlacedHand>& placed) const {
+  for (size_t i = 0; i < placed.size(); ++i) {
+    const Transform& wrist = placed[i].state.wrist;
+    if (wrist.position != state.wrist.position || wrist.rotation != state.wrist.rotation) continue;
+    const Posture& posture = postures[std::min(i, postures.size() - 1)];
+    HandTarget target;
+    target.fingers = to_vector(posture.fingers);
+    target.palm = to_vector(posture.palm);
+    target.angles = placed[i].state.angles;
+    target.touches = placed[i].touching;
+    target.part = placed[i].part;
+    target.location = placed[i].location;
+    return target;
+  }
+  return std::nullopt;
+}
+
+std::array<std::optional<HandTarget>, 2> SignBuilder::shown(const std::array<HandState, 2>& states) const {
+  std::array<std::optional<HandTarget>, 2> targets;
+  targets[kRight] = shown(states[kRight], sign_.dominant, dominant_);
+  if (mirrored_) {
+    const auto image = shown(mirrored(states[kLeft]), sign_.dominant, dominant_);
+    if (image) targets[kLeft] = mirror(*image);
+  } else if (has_base_) {
+    targets[kLeft] = shown(states[kLeft], sign_.non_dominant, base_);
+  }
+  return targets;
 }
 
 void SignBuilder::stroke_to(size_t from, size_t to, double factor) {
@@ -410,6 +453,7 @@ Result<SignPerformance> SignBuilder::build() {
   add_hold(current, unit_.spelled ? stroke::kLetterHold : stroke::kSignHold);
   const Beat& first = result_.beats.front();
   result_.start = {first.hands[kLeft].from, first.hands[kRight].from};
+  result_.start_target = shown(result_.start);
   if (dominant_.front().touching) result_.approach[kRight] = dominant_.front().normal;
   if (dominant_[current].touching) result_.leave[kRight] = dominant_[current].normal;
   if (mirrored_) {

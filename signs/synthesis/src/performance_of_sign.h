@@ -16,15 +16,17 @@ namespace auslan {
 /// A stretch of time in which each active hand makes one segment. Times of the segments are relative: 0 to `seconds`.
 struct Beat {
   double seconds = 0;
-  bool hold = false;                 ///< a hold at a phonological target
-  std::array<HandSegment, 2> hands;  ///< by Side; only that of an active hand counts
+  bool hold = false;                                ///< a hold at a phonological target
+  std::array<HandSegment, 2> hands;                 ///< by Side; only that of an active hand counts
+  std::array<std::optional<HandTarget>, 2> target;  ///< what the hand shows at the end, or during a hold; no times yet
 };
 
 struct SignPerformance {
-  std::array<bool, 2> active{};    ///< by Side
-  std::array<HandState, 2> start;  ///< where the transition into the sign ends
-  std::array<Vec3, 2> approach{};  ///< outward normal of what is touched at the start, else zero
-  std::array<Vec3, 2> leave{};     ///< the same at the end
+  std::array<bool, 2> active{};                           ///< by Side
+  std::array<HandState, 2> start;                         ///< where the transition into the sign ends
+  std::array<std::optional<HandTarget>, 2> start_target;  ///< what the hand shows there
+  std::array<Vec3, 2> approach{};                         ///< outward normal of what is touched at the start, else zero
+  std::array<Vec3, 2> leave{};                            ///< the same at the end
   std::vector<Beat> beats;
 };
 

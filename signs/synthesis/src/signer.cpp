@@ -172,6 +172,8 @@ PlacedHand Signer::place(const Posture& posture, const Handshape& handshape, Sid
   if (contact) named = posture.contact->part;
   const HandPart part = named ? *named : (placed.touching ? default_part(handshape, palm_faces) : HandPart::kPalm);
   const Site local = hand(side).site(part, state.angles);
+  placed.part = local.position;
+  placed.location = location;
 
   Site site;
   if (on_other && counterpart.mirrored) {

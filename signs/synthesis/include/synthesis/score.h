@@ -7,6 +7,7 @@
 #include "kinematics/anatomy.h"
 #include "kinematics/pose.h"
 #include "kinematics/vector.h"
+#include "phonology/sign.h"
 
 #include <array>
 #include <cstdint>
@@ -82,8 +83,20 @@ struct GlossSpan {
   int unit = 0;  ///< which unit of the utterance
 };
 
+/// What a hand shows when it has arrived at a posture: for those who judge a performance, not needed to perform it.
+/// Directions are as the entry states them (world axes, trunk at rest), whatever the arm could reach.
+struct HandTarget {
+  Tick begin = 0, end = 0;  ///< equal: the hand passes without a hold
+  Vec3 fingers{0.0}, palm{0.0};
+  HandAngles angles;  ///< of the handshape
+  bool touches = false;
+  Vec3 part{0.0};  ///< what touches, in the wrist's frame
+  Location location = Location::kNeutral;
+};
+
 struct Score {
-  std::array<std::vector<HandSegment>, 2> hands;  ///< by Side (kLeft, kRight); contiguous from 0 to end
+  std::array<std::vector<HandSegment>, 2> hands;   ///< by Side (kLeft, kRight); contiguous from 0 to end
+  std::array<std::vector<HandTarget>, 2> targets;  ///< by Side, in the order of their times
   std::vector<FaceSpan> face;
   std::vector<BodySpan> body;
   std::vector<GlossSpan> glosses;
