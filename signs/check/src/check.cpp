@@ -37,6 +37,8 @@ constexpr std::array<MeasureInfo, kMeasureCount> kInfos = {{
 constexpr double kSlowestPeak = 0.3;
 // Shorter strokes are part of a larger movement, metres.
 constexpr double kShortestStroke = 0.03;
+// A path that bows out farther than this share of its length is not one from point to point.
+constexpr double kStraightest = 0.1;
 
 double length(const Vec3& v) {
   return std::sqrt(glm::dot(v, v));
@@ -284,7 +286,8 @@ void Judge::strokes() {
     for (const HandSegment& segment : score_.hands[side]) {
       const Oscillation& o = segment.oscillation;
       if (segment.turns > 0 || o.shift != Vec3(0.0) || o.turn != Vec3(0.0)) continue;
-      if (length(segment.to.wrist.position - segment.from.wrist.position) < kShortestStroke) continue;
+      const double way = length(segment.to.wrist.position - segment.from.wrist.position);
+      if (way < kShortestStroke || length(segment.bulge) > kStraightest * way) continue;
       double peak = 0.0;
       double sum = 0.0;
       Vec3 before = state_at(segment, segment.begin).wrist.position;
