@@ -3,13 +3,14 @@
 #include "kinematics/elementary.h"
 #include "kinematics/limits.h"
 #include "kinematics/rotation.h"
+#include "kinematics/solid.h"
 #include "phonology/vocabulary.h"
 #include "shipped.h"
 #include "synthesis/choreography.h"
 #include "synthesis/performance.h"
 
-#include <cmath>
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <optional>
 #include <string>
@@ -216,6 +217,38 @@ TEST(Motion, TheLeftHandedSignerIsTheExactMirrorImage) {
       EXPECT_NEAR(original.x, -image.x, 1e-12) << skeleton.node(i).name;
       EXPECT_NEAR(original.y, image.y, 1e-12) << skeleton.node(i).name;
       EXPECT_NEAR(original.z, image.z, 1e-12) << skeleton.node(i).name;
+    }
+  }
+}
+
+TEST(Motion, OnItsWayFromRestAndBackNoHandGoesThroughTheTrunk) {
+  Shipped& s = shipped();
+  const Skeleton& skeleton = s.figure.skeleton;
+  const int node = skeleton.find("spine_base");
+  const Solid trunk(s.figure.segments[static_cast<size_t>(node)]);
+  const HandSites& hand = s.signer->hand(Side::kRight);
+  // Metres below the shirt of what leads a hand.
+  const auto depth = [&](const HandState& state) {
+    double deepest = 0.0;
+    for (const HandPart part : {HandPart::kPalm, HandPart::kIndexTip, HandPart::kMiddleTip, HandPart::kLittleTip}) {
+      const Vec3 place = apply(state.wrist, hand.site(part, state.angles).position);
+      if (const auto nearest = trunk.nearest(place - skeleton.rest_position(node), 0.3))
+        deepest = std::max(deepest, -nearest->distance);
+    }
+    return deepest;
+  };
+  // Not NECK: its own posture still presses the hand into the shoulder, and the way to it too.
+  for (const char* gloss : {"SHOULDER", "CHEST", "STOMACH", "HOSPITAL", "ARM", "BACK-BODY", "WHERE"}) {
+    const Score score = score_of({gloss});
+    const auto& track = score.hands[static_cast<size_t>(Side::kRight)];
+    for (const HandSegment& segment : track) {
+      const Vec3 way = segment.to.wrist.position - segment.from.wrist.position;
+      if (glm::dot(way, way) < 0.04) continue;
+      const double ends = std::max(depth(segment.from), depth(segment.to));
+      for (int i = 1; i < 24; ++i) {
+        const Tick time = segment.begin + (segment.end - segment.begin) * i / 24;
+        EXPECT_LE(depth(state_at(segment, time)), ends + 0.004) << gloss << " at " << seconds(time);
+      }
     }
   }
 }

@@ -96,7 +96,8 @@ Signer::Signer(const Figure& figure, const FigureTraits& traits, BodySites body,
       traits_(traits),
       body_(std::move(body)),
       hands_(std::move(hands)),
-      trunk_(TrunkProfile::measure(figure)),
+      trunk_(figure.segments[static_cast<size_t>(figure.skeleton.find("spine_base"))]),
+      trunk_place_(figure.skeleton.rest_position(figure.skeleton.find("spine_base"))),
       frames_{rest_hand_frame(figure.skeleton, Side::kLeft), rest_hand_frame(figure.skeleton, Side::kRight)} {}
 
 Result<Signer> Signer::build(const Figure& figure, const FigureTraits& traits) {
@@ -254,28 +255,38 @@ void Signer::reach_comfortably(Side side, const Vec3& part, const Vec3& target, 
   turn_to(lean);
 }
 
-double Signer::hand_depth(Side side, const HandState& state) const {
+void Signer::sink(const Vec3& centre, double radius, Depth& depth) const {
+  constexpr double kReach = 0.3;  // no point of a trunk lies farther below its surface, metres
+  const Vec3 place = centre - trunk_place_;
+  for (glm::length_t i = 0; i < 3; ++i)
+    if (place[i] < trunk_.low()[i] - radius || place[i] > trunk_.high()[i] + radius) return;
+  const auto nearest = trunk_.nearest(place, kReach);
+  if (!nearest || radius - nearest->distance <= depth.metres) return;
+  depth.metres = radius - nearest->distance;
+  depth.out = nearest->normal;
+}
+
+Depth Signer::hand_depth(Side side, const HandState& state) const {
   constexpr double kFingerRadius = 0.008, kPalmRadius = 0.015;
-  double deepest = trunk_.depth(state.wrist.position, kWristRadius);
+  Depth depth;
+  sink(state.wrist.position, kWristRadius, depth);
   const auto part = [&](HandPart at, double radius) {
-    const Vec3 place = apply(state.wrist, hand(side).site(at, state.angles).position);
-    deepest = std::max(deepest, trunk_.depth(place, radius));
+    sink(apply(state.wrist, hand(side).site(at, state.angles).position), radius, depth);
   };
   part(HandPart::kPalm, kPalmRadius);
   for (const HandPart tip :
        {HandPart::kThumbTip, HandPart::kIndexTip, HandPart::kMiddleTip, HandPart::kLittleTip, HandPart::kIndexKnuckle})
     part(tip, kFingerRadius);
-  return deepest;
+  return depth;
 }
 
-double Signer::forearm_depth(Side side, const HandState& state) const {
+Depth Signer::forearm_depth(Side side, const HandState& state) const {
   const ArmPlacement arm = place_arm(side, state);
-  double deepest = 0;
-  for (const double along : {0.0, 0.3, 0.6, 0.9}) {
-    const Vec3 point = arm.elbow.position + (arm.wrist.position - arm.elbow.position) * along;
-    deepest = std::max(deepest, trunk_.depth(point, mix(kElbowRadius, kWristRadius, along)));
-  }
-  return deepest;
+  Depth depth;
+  for (const double along : {0.0, 0.3, 0.6, 0.9})
+    sink(arm.elbow.position + (arm.wrist.position - arm.elbow.position) * along, mix(kElbowRadius, kWristRadius, along),
+         depth);
+  return depth;
 }
 
 double Signer::swivel_for(Side side, const Transform& world_from_wrist) const {
@@ -285,7 +296,7 @@ double Signer::swivel_for(Side side, const Transform& world_from_wrist) const {
     HandState state;
     state.wrist = world_from_wrist;
     state.swivel = swivel;
-    return forearm_depth(side, state);
+    return forearm_depth(side, state).metres;
   };
   double best = natural, least = depth(natural);
   for (int step = 1; step <= kSwivelSteps && least > traits_.trunk_gives; ++step) {

@@ -20,32 +20,36 @@ HandState state_after(const HandSegment& segment, double share) {
   return state_at(segment, static_cast<Tick>(share * static_cast<double>(segment.end)));
 }
 
-/// The sample that lies deepest in the trunk, and how much deeper than its ends account for; 0 and 0 when none does.
-std::pair<int, double> deepest_sample(const Signer& signer, Side side, const HandSegment& segment) {
-  const double from_depth = signer.hand_depth(side, segment.from);
-  const double to_depth = signer.hand_depth(side, segment.to);
-  std::pair<int, double> worst(0, kTolerated);
+struct Sample {
+  int index = 0;  ///< 0: none
+  Depth depth;
+};
+
+/// The sample that lies deepest in the trunk, counted from what its ends account for.
+Sample deepest_sample(const Signer& signer, Side side, const HandSegment& segment) {
+  const double from_depth = signer.hand_depth(side, segment.from).metres;
+  const double to_depth = signer.hand_depth(side, segment.to).metres;
+  Sample worst;
+  worst.depth.metres = kTolerated;
   for (int i = 1; i < kSamples; ++i) {
     const double share = static_cast<double>(i) / kSamples;
     const double own = std::max({from_depth * (1.0 - 3.0 * share), to_depth * (3.0 * share - 2.0), 0.0});
-    const double depth = signer.hand_depth(side, state_after(segment, share)) - own;
-    if (depth > worst.second) worst = {i, depth};
+    Depth depth = signer.hand_depth(side, state_after(segment, share));
+    depth.metres -= own;
+    if (depth.metres > worst.depth.metres) worst = {i, depth};
   }
-  return worst.first == 0 ? std::pair(0, 0.0) : worst;
+  return worst;
 }
 
 void bend_out(const Signer& signer, Side side, HandSegment& segment) {
-  constexpr int kRounds = 5;
+  constexpr int kRounds = 6;
   for (int round = 0; round < kRounds; ++round) {
-    const auto [sample, depth] = deepest_sample(signer, side, segment);
-    if (sample == 0) return;
-    const double share = static_cast<double>(sample) / kSamples;
-    const double s = minimum_jerk(share);
-    // Before the body forwards, beside it outwards too.
-    const double x = state_after(segment, share).wrist.position.x;
-    const double beside = std::clamp(std::abs(x) / 0.2, 0.0, 1.0);
-    const Vec3 out = unit(Vec3(x < 0.0 ? -beside : beside, 0.0, 1.0));
-    segment.bulge += out * ((depth + kRoom) / std::max(0.4, 4.0 * s * (1.0 - s)));
+    const Sample worst = deepest_sample(signer, side, segment);
+    if (worst.index == 0) return;
+    const double s = minimum_jerk(static_cast<double>(worst.index) / kSamples);
+    // Forwards rather than round the back.
+    const Vec3 out = unit(worst.depth.out + Vec3(0.0, 0.0, 0.5));
+    segment.bulge += out * ((worst.depth.metres + kRoom) / std::max(0.4, 4.0 * s * (1.0 - s)));
     const double length = std::sqrt(glm::dot(segment.bulge, segment.bulge));
     if (length > kFarthest) segment.bulge *= kFarthest / length;
   }
@@ -58,7 +62,8 @@ void swing_out(const Signer& signer, Side side, HandSegment& segment) {
     segment.swivel_bulge = swing;
     double deepest = 0.0;
     for (int i = 1; i < kSamples; ++i)
-      deepest = std::max(deepest, signer.forearm_depth(side, state_after(segment, static_cast<double>(i) / kSamples)));
+      deepest =
+          std::max(deepest, signer.forearm_depth(side, state_after(segment, static_cast<double>(i) / kSamples)).metres);
     // A swing must be worth it.
     if (deepest > least - 0.005) continue;
     least = deepest;

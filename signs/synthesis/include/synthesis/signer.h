@@ -6,11 +6,11 @@
 #include "kinematics/anatomy.h"
 #include "kinematics/figure.h"
 #include "kinematics/result.h"
+#include "kinematics/solid.h"
 #include "phonology/sign.h"
 #include "synthesis/body_sites.h"
 #include "synthesis/hand_sites.h"
 #include "synthesis/score.h"
-#include "synthesis/trunk_profile.h"
 
 #include <array>
 #include <optional>
@@ -35,6 +35,12 @@ struct PlacedHand {
 struct OtherHand {
   const HandState* state = nullptr;  ///< null: the other hand is not there
   bool mirrored = false;             ///< the other hand is the mirror image of this one: they meet in the middle plane
+};
+
+/// How deep something lies in the body, and the way out.
+struct Depth {
+  double metres = 0;        ///< 0: outside
+  Vec3 out{0.0, 0.0, 1.0};  ///< unit; the surface's normal where it is nearest
 };
 
 /// Digit angles of a handshape, radians.
@@ -70,15 +76,17 @@ class Signer {
   /// A natural swivel for a wrist, moved on where it would put the forearm into the trunk.
   double swivel_for(Side side, const Transform& world_from_wrist) const;
 
-  /// How deep a hand, and how deep its forearm, lie in the trunk at rest, metres; 0 outside. Both are taken as balls.
-  double hand_depth(Side side, const HandState& state) const;
-  double forearm_depth(Side side, const HandState& state) const;
+  /// How deep a hand, and how deep its forearm, lie in the trunk at rest. Both are taken as balls.
+  Depth hand_depth(Side side, const HandState& state) const;
+  Depth forearm_depth(Side side, const HandState& state) const;
 
   /// The hand hanging beside the hip: the start and end of all signing.
   HandState rest(Side side) const;
 
  private:
   Signer(const Figure& figure, const FigureTraits& traits, BodySites body, std::array<HandSites, 2> hands);
+  /// A ball that lies deeper in the trunk than `depth` takes its place.
+  void sink(const Vec3& centre, double radius, Depth& depth) const;
   /// Radians by which the arm breaks its joint limits to put the hand there, over shoulder, elbow and wrist.
   double strain(Side side, const HandState& state) const;
   /// Puts the hand's `part` (wrist frame) on `target`, leaning from the wanted orientation as far as the joint limits
@@ -92,7 +100,8 @@ class Signer {
   FigureTraits traits_;
   BodySites body_;
   std::array<HandSites, 2> hands_;
-  TrunkProfile trunk_;
+  Solid trunk_;
+  Vec3 trunk_place_{0.0};  ///< world, at rest
   std::array<HandFrame, 2> frames_;
 };
 
