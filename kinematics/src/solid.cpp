@@ -11,6 +11,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace auslan {
@@ -23,23 +24,56 @@ double square(const Vec3& v) {
   return glm::dot(v, v);
 }
 
+/// The triangles' corners with one number for all vertices in one place: texture seams do not take a surface apart.
+std::vector<uint32_t> welded_indices(const Mesh& mesh) {
+  std::vector<uint32_t> order(mesh.positions.size());
+  std::iota(order.begin(), order.end(), 0U);
+  const auto before = [&mesh](uint32_t a, uint32_t b) {
+    const glm::vec3& p = mesh.positions[a];
+    const glm::vec3& q = mesh.positions[b];
+    return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
+  };
+  std::stable_sort(order.begin(), order.end(), before);
+  std::vector<uint32_t> first(order.size());
+  for (size_t i = 0; i < order.size(); ++i)
+    first[order[i]] = i > 0 && !before(order[i - 1], order[i]) ? first[order[i - 1]] : order[i];
+  std::vector<uint32_t> indices;
+  for (const uint32_t index : mesh.indices)
+    indices.push_back(first[index]);
+  return indices;
+}
+
 /// Which part each vertex belongs to: vertices of one triangle belong together.
-std::vector<uint32_t> part_of_vertices(const Mesh& mesh) {
-  std::vector<uint32_t> parent(mesh.positions.size());
+std::vector<uint32_t> part_of_vertices(std::span<const uint32_t> indices, size_t vertices) {
+  std::vector<uint32_t> parent(vertices);
   std::iota(parent.begin(), parent.end(), 0U);
   const auto root = [&parent](uint32_t vertex) {
     while (parent[vertex] != vertex)
       vertex = parent[vertex] = parent[parent[vertex]];
     return vertex;
   };
-  for (size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
-    const uint32_t a = root(mesh.indices[i]);
-    for (const size_t corner : {i + 1, i + 2})
-      parent[std::max(a, root(mesh.indices[corner]))] = std::min(a, root(mesh.indices[corner]));
+  for (size_t i = 0; i + 2 < indices.size(); i += 3) {
+    for (const size_t corner : {i + 1, i + 2}) {
+      const auto [low, high] = std::minmax({root(indices[i]), root(indices[corner])});
+      parent[high] = low;
+    }
   }
   for (uint32_t vertex = 0; vertex < parent.size(); ++vertex)
     parent[vertex] = root(vertex);
   return parent;
+}
+
+bool is_closed(std::span<const uint32_t> indices, std::span<const uint32_t> triangles) {
+  std::vector<std::pair<uint32_t, uint32_t>> edges;
+  for (const uint32_t triangle : triangles) {
+    const auto corner = indices.subspan(3 * size_t{triangle}, 3);
+    for (size_t c = 0; c < 3; ++c)
+      edges.push_back(std::minmax({corner[c], corner[(c + 1) % 3]}));
+  }
+  std::ranges::sort(edges);
+  for (size_t i = 0; i < edges.size(); i += 2)
+    if (i + 1 == edges.size() || edges[i] != edges[i + 1]) return false;
+  return true;
 }
 
 /// Where a point is nearest to a triangle: the weights of its corners, after Ericson, Real-Time Collision Detection
@@ -94,12 +128,20 @@ double corner_angle(const Vec3& from, const Vec3& a, const Vec3& b) {
 }  // namespace
 
 Solid::Solid(const Mesh& mesh) {
-  const std::vector<uint32_t> part_of = part_of_vertices(mesh);
+  const std::vector<uint32_t> indices = welded_indices(mesh);
+  const std::vector<uint32_t> part_of = part_of_vertices(indices, mesh.positions.size());
   std::map<uint32_t, std::vector<uint32_t>> triangles_of;
-  for (uint32_t i = 0; i < mesh.indices.size() / 3; ++i)
-    triangles_of[part_of[mesh.indices[3 * size_t{i}]]].push_back(i);
-  for (const auto& [vertex, triangles] : triangles_of)
-    parts_.push_back(make_part(mesh, triangles));
+  for (uint32_t i = 0; i < indices.size() / 3; ++i)
+    triangles_of[part_of[indices[3 * size_t{i}]]].push_back(i);
+  std::vector<uint32_t> open;
+  for (const auto& [vertex, triangles] : triangles_of) {
+    if (is_closed(indices, triangles)) {
+      parts_.push_back(make_part(mesh.positions, indices, triangles));
+    } else {
+      open.insert(open.end(), triangles.begin(), triangles.end());
+    }
+  }
+  if (!open.empty()) parts_.push_back(make_part(mesh.positions, indices, open));
   for (size_t i = 0; i < parts_.size(); ++i) {
     const Box& box = parts_[i].boxes.front();
     low_ = i == 0 ? box.low : glm::min(low_, box.low);
@@ -107,18 +149,19 @@ Solid::Solid(const Mesh& mesh) {
   }
 }
 
-Solid::Part Solid::make_part(const Mesh& mesh, std::span<const uint32_t> triangles) {
+Solid::Part Solid::make_part(std::span<const glm::vec3> positions, std::span<const uint32_t> indices,
+                             std::span<const uint32_t> triangles) {
   Part part;
   std::map<uint32_t, Vec3> of_corner;
   std::map<std::pair<uint32_t, uint32_t>, Vec3> of_edge;
-  const auto index = [&](uint32_t triangle, size_t corner) { return mesh.indices[3 * size_t{triangle} + corner % 3]; };
+  const auto index = [&](uint32_t triangle, size_t corner) { return indices[3 * size_t{triangle} + corner % 3]; };
   const auto edge = [&](uint32_t triangle, size_t corner) {
     return std::minmax({index(triangle, corner), index(triangle, corner + 1)});
   };
   for (const uint32_t i : triangles) {
     Triangle triangle;
     for (size_t c = 0; c < 3; ++c)
-      triangle.corner[c] = Vec3(mesh.positions[index(i, c)]);
+      triangle.corner[c] = Vec3(positions[index(i, c)]);
     // In millimetres: twice the area of a triangle of skin is far below what unit() takes for zero.
     const std::array<Vec3, 3>& at = triangle.corner;
     triangle.normal = unit(glm::cross((at[1] - at[0]) * 1e3, (at[2] - at[0]) * 1e3), Vec3(0.0));

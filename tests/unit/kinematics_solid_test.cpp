@@ -116,6 +116,26 @@ TEST(Solid, OfOverlappingPartsTheDeepestCounts) {
   EXPECT_EQ(solid.high(), Vec3(2, 1, 1));
 }
 
+TEST(Solid, SeamsDoNotTakeASurfaceApartAndSheetsBelongTogether) {
+  Mesh box;
+  add_box({0, 0, 0}, {1, 1, 1}, box);
+  // Every triangle with corners of its own, as at texture seams.
+  Mesh loose;
+  for (const uint32_t index : box.indices) {
+    loose.indices.push_back(static_cast<uint32_t>(loose.positions.size()));
+    loose.positions.push_back(box.positions[index]);
+  }
+  EXPECT_NEAR(Solid(loose).nearest({0.5, 0.5, 0.9}, 5.0)->distance, -0.1, 1e-12);
+  EXPECT_NEAR(Solid(loose).nearest({0.5, 0.5, 1.2}, 5.0)->distance, 0.2, 1e-12);
+  // Front and back of a body whose sides are missing: what is before the front is not behind the back.
+  Mesh sheets;
+  sheets.positions = {{0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {0, 0, 0}, {0, 1, 0}, {1, 0, 0}};
+  sheets.indices = {0, 1, 2, 3, 4, 5};
+  EXPECT_NEAR(Solid(sheets).nearest({0.2, 0.2, 1.3}, 5.0)->distance, 0.3, 1e-7);
+  EXPECT_NEAR(Solid(sheets).nearest({0.2, 0.2, -0.3}, 5.0)->distance, 0.3, 1e-7);
+  EXPECT_NEAR(Solid(sheets).nearest({0.2, 0.2, 0.7}, 5.0)->distance, -0.3, 1e-7);
+}
+
 TEST(Solid, NothingIsFoundBeyondTheReach) {
   Mesh mesh;
   add_box({0, 0, 0}, {1, 1, 1}, mesh);

@@ -22,7 +22,8 @@ struct NearestSurface {
 /// One or more closed parts that may overlap, as a figure's segments are. Built once, asked often; owns what it needs.
 ///
 /// Whether a point is inside is told by the angle-weighted normal of the nearest vertex, edge or triangle of each part
-/// (Baerentzen & Aanaes 2005), which is exact for closed parts that do not cut themselves.
+/// (Baerentzen & Aanaes 2005), which is exact for closed parts that do not cut themselves. Parts with a rim, as foreign
+/// figures have them, are taken as one surface: near a rim a point may be told on the wrong side.
 class Solid {
  public:
   /// The mesh passes check_figure. An empty one makes a solid that is nowhere.
@@ -54,7 +55,8 @@ class Solid {
     std::vector<Box> boxes;  ///< the root first
   };
 
-  static Part make_part(const Mesh& mesh, std::span<const uint32_t> triangles);
+  static Part make_part(std::span<const glm::vec3> positions, std::span<const uint32_t> indices,
+                        std::span<const uint32_t> triangles);
   static void divide(Part& part, uint32_t box);
   static std::optional<NearestSurface> nearest_of(const Part& part, const Vec3& point, double within);
 
