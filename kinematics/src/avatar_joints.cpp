@@ -47,6 +47,11 @@ HandAxes hand_axes(const Vec3& along, const Vec3& to_radial, Side side) {
   return axes;
 }
 
+/// The digits that a hand lacks, and those that lack joints.
+struct Gaps {
+  std::vector<std::string> gone, shortened;
+};
+
 struct Finder {
   const Avatar& avatar;
   std::span<const glm::dmat4> world_from_node;
@@ -54,6 +59,7 @@ struct Finder {
   std::span<const Skin> skins;
   Joints& joints;
   std::vector<std::string>& warnings;
+  std::array<Gaps, 2> gaps = {};
 
   bool take(int node, HumanRole role) {
     const int found = avatar.node_of(role);
@@ -125,26 +131,35 @@ struct Finder {
       set(arm.digits[0][0],
           wrist + (axes.along * usual.along + axes.back * usual.back + axes.radial * usual.radial) * palm);
     }
-    std::vector<std::string> gone;
-    std::vector<std::string> shortened;
+    Gaps& gaps_of_hand = gaps[side == Side::kLeft ? 0 : 1];
     for (size_t digit = 0; digit < 5; ++digit) {
-      if (!is_known(arm.digits[digit][0]) && !is_known(arm.digits[digit][1]) && !is_known(arm.digits[digit][2]))
-        gone.emplace_back(kDigitNames[digit]);
-      else if (!is_known(arm.digits[digit][0]) || !is_known(arm.digits[digit][1]) || !is_known(arm.digits[digit][2]))
-        shortened.emplace_back(kDigitNames[digit]);
+      const std::array<int, 3>& nodes = arm.digits[digit];
+      const auto known = std::ranges::count_if(nodes, [&](int node) { return is_known(node); });
+      if (known == 0) gaps_of_hand.gone.emplace_back(kDigitNames[digit]);
+      if (known == 1 || known == 2) gaps_of_hand.shortened.emplace_back(kDigitNames[digit]);
       phalanges(arm, digit, axes, palm);
     }
-    tell(side, gone, " missing; signs are solved as if they were there, and they are not drawn");
-    tell(side, shortened, " short of joints; they bend in those that they have");
   }
 
-  void tell(Side side, const std::vector<std::string>& names, const std::string& what) {
-    if (names.empty()) return;
-    std::string list;
-    for (size_t i = 0; i < names.size(); ++i)
-      list += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-    warnings.push_back(std::string("of the ") + (side == Side::kLeft ? "left" : "right") + " hand the " + list +
-                       (names.size() == 1 ? " is" : " are") + what);
+  /// Tells what hands lack, of both at once where they lack the same.
+  void tell_gaps() {
+    const auto tell = [&](const std::string& hands, const std::vector<std::string>& names, const char* one,
+                          const char* many) {
+      if (names.empty()) return;
+      std::string list;
+      for (size_t i = 0; i < names.size(); ++i)
+        list += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+      warnings.push_back("of " + hands + " the " + list + (names.size() == 1 ? one : many));
+    };
+    const auto tell_both = [&](std::vector<std::string> Gaps::*list, const char* one, const char* many) {
+      if (gaps[0].*list == gaps[1].*list) return tell("both hands", gaps[0].*list, one, many);
+      tell("the left hand", gaps[0].*list, one, many);
+      tell("the right hand", gaps[1].*list, one, many);
+    };
+    tell_both(&Gaps::gone, " is missing; signs are solved as if it were there, and it is not drawn",
+              " are missing; signs are solved as if they were there, and they are not drawn");
+    tell_both(&Gaps::shortened, " is short of joints; it bends in those that it has",
+              " are short of joints; they bend in those that they have");
   }
 
   HandAxes first_axes(const ArmNodes& arm, const Vec3& wrist, Side side) const {
@@ -248,6 +263,7 @@ Joints find_joints(const Avatar& avatar, std::span<const glm::dmat4> world_from_
   finder.trunk();
   finder.hand(Side::kLeft);
   finder.hand(Side::kRight);
+  finder.tell_gaps();
   return joints;
 }
 
