@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 #include <memory>
 #include <optional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -125,6 +126,9 @@ struct Sample {
   const char* file;
   double scale;
 };
+void PrintTo(const Sample& sample, std::ostream* out) {
+  *out << sample.file << " times " << sample.scale;
+}
 class TouchingSamples : public testing::TestWithParam<Sample> {};
 
 TEST_P(TouchingSamples, FingertipsLieOnTheAvatarsOwnSkin) {
