@@ -15,10 +15,12 @@ if(AUSLANJAM_PROGRAMS)
   add_dependencies(signer_pictures_test auslan_baked_figure auslan_built_lexicon)
 
   # Contact sheets of the figure, to look at.
-  add_executable(figure_sheets sheets/figure_sheets.cpp sheets/sheet.cpp)
+  set(_programs ${PROJECT_SOURCE_DIR}/signs/programs/src)
+  add_executable(figure_sheets
+    sheets/figure_sheets.cpp sheets/sheet.cpp ${_programs}/avatar_images.cpp ${_programs}/body.cpp)
   target_link_libraries(figure_sheets PRIVATE
-    auslan::stage auslan::synthesis auslan::lexicon auslan::caption auslan::picture)
-  target_include_directories(figure_sheets PRIVATE sheets support)
+    auslan::stage auslan::synthesis auslan::lexicon auslan::caption auslan::gltf auslan::picture)
+  target_include_directories(figure_sheets PRIVATE sheets support ${_programs})
   target_compile_definitions(figure_sheets PRIVATE AUSLANJAM_BINARY_DIR="${PROJECT_BINARY_DIR}")
   add_dependencies(figure_sheets auslan_baked_figure auslan_built_lexicon)
 endif()

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// figure_sheets FOLDER writes what a person should look at after a change of the figure: FOLDER/figure.png.
+// figure_sheets FOLDER [AVATAR...] writes what a person should look at after a change of the figure: FOLDER/figure.png,
+// and the same sentence signed by the figure and by each avatar: FOLDER/avatars.png.
+#include "avatar_images.h"
+#include "body.h"
+#include "gltf/avatar_gltf.h"
 #include "kinematics/arm_ik.h"
 #include "media/picture.h"
 #include "sheet.h"
@@ -13,6 +17,8 @@
 #include <cstdio>
 #include <exception>
 #include <glm/mat4x4.hpp>
+#include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -24,13 +30,31 @@ namespace {
 
 constexpr int kCell = 240;
 
-Picture drawn(const Figure& figure, const Pose& pose, CameraName camera, StageOptions options = {}) {
+StageOptions before_background_of(const Figure& figure, const std::string& appearance);
+
+Picture drawn(const Figure& figure, const Pose& pose, CameraName camera, const std::string& appearance = "") {
+  StageOptions options = before_background_of(figure, appearance);
   options.width = options.height = kCell;
   options.camera = camera;
   Stage stage = Stage::build(figure, options).value();
   Picture picture = make_picture(kCell, kCell);
   stage.render(pose, picture.pixels);
   return picture;
+}
+
+/// The shipped figure in a level of detail and an appearance.
+Figure figure_of(const std::string& file, const std::string& appearance) {
+  Figure figure = read_figure(std::string(AUSLANJAM_BINARY_DIR) + "/share/auslanjam/" + file).value();
+  if (!appearance.empty()) put_on(figure, appearance).value();
+  return figure;
+}
+
+StageOptions before_background_of(const Figure& figure, const std::string& appearance) {
+  StageOptions options;
+  for (const Appearance& look : figure.appearances)
+    if (look.name == appearance || (appearance.empty() && &look == &figure.appearances.front()))
+      options.background = uint32_t{look.background.x} << 16U | uint32_t{look.background.y} << 8U | look.background.z;
+  return options;
 }
 
 /// What lies round the right hand's knuckles, from a larger picture.
@@ -168,23 +192,79 @@ Row expressions() {
   return row;
 }
 
-void write_all(const std::string& folder) {
+Row appearances() {
+  Row row{"Appearances", {}};
+  for (const Appearance& look : shipped().figure.appearances) {
+    const Figure figure = figure_of("signer.figure", look.name);
+    row.cells.push_back({look.name, drawn(figure, signing(), CameraName::kFront, look.name)});
+  }
+  return row;
+}
+
+Row levels() {
+  Row row{"Levels of detail", {}};
+  for (const char* level : {"low", "normal", "high"}) {
+    const std::string name = level;
+    const Figure figure = figure_of(name == "normal" ? "signer.figure" : "signer_" + name + ".figure", "");
+    row.cells.push_back({name, drawn(figure, standing(), CameraName::kFace)});
+    row.cells.push_back({name, hand_close_up(figure, showing(shipped().lexicon->handshape("two").value().value()))});
+  }
+  return row;
+}
+
+Row sentence(const std::string& name, const Body& body) {
+  const Signer signer = Signer::build(*body.figure, body.traits()).value();
+  const Score score =
+      choreograph(signer, utterance_of({"HELLO", "MY", "NAME", "fs:K", "fs:I", "fs:M", "HURT", "WHERE"})).value();
+  PerformanceOptions still;
+  still.idle = false;
+  const Performance performance(signer, score, still);
+  StageOptions options = before_background_of(*body.figure, "");
+  options.width = options.height = kCell;
+  Stage stage = body.stage(options).value();
+  Row row{name, {}};
+  for (const GlossSpan& gloss : score.glosses) {
+    Pose pose;
+    performance.sample(gloss.end - ticks(0.05), pose);
+    Picture picture = make_picture(kCell, kCell);
+    stage.render(pose, picture.pixels);
+    row.cells.push_back({gloss.label, std::move(picture)});
+  }
+  return row;
+}
+
+Row sentence_of_avatar(const std::string& path) {
+  const SigningAvatar avatar = fit_avatar(read_avatar(path).value()).value();
+  std::vector<std::string> warnings;
+  const std::vector<std::optional<raster::Texture>> textures = decode_images(avatar.avatar, warnings);
+  return sentence(avatar.avatar.name, Body{&avatar.figure, &avatar, textures});
+}
+
+void write(const std::string& path, const Picture& picture) {
+  if (const auto written = write_png(path, picture.view()); !written) throw std::runtime_error(written.error().message);
+}
+
+void write_all(const std::string& folder, std::span<char*> avatars) {
   const CaptionPainter text = CaptionPainter::open().value();
-  const Picture sheet = contact_sheet({views(), hands(), mouths(), expressions()}, 6, kCell, kCell, text);
-  if (const auto written = write_png(folder + "/figure.png", sheet.view()); !written)
-    throw std::runtime_error(written.error().message);
+  write(folder + "/figure.png",
+        contact_sheet({views(), hands(), mouths(), expressions(), appearances(), levels()}, 6, kCell, kCell, text));
+  if (avatars.empty()) return;
+  std::vector<Row> rows = {sentence("signer", Body{.figure = &shipped().figure})};
+  for (const char* path : avatars)
+    rows.push_back(sentence_of_avatar(path));
+  write(folder + "/avatars.png", contact_sheet(rows, 8, kCell, kCell, text));
 }
 
 }  // namespace
 }  // namespace auslan::sheets
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::fprintf(stderr, "usage: figure_sheets FOLDER\n");
+  if (argc < 2) {
+    std::fprintf(stderr, "usage: figure_sheets FOLDER [AVATAR...]\n");
     return 2;
   }
   try {
-    auslan::sheets::write_all(argv[1]);
+    auslan::sheets::write_all(argv[1], std::span(argv + 2, argv + argc));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "figure_sheets: %s\n", error.what());
     return 1;

@@ -6,6 +6,7 @@
 #include "kinematics/figure.h"
 #include "kinematics/result.h"
 #include "stage/stage.h"
+#include "synthesis/signer.h"
 
 namespace auslan {
 
@@ -15,6 +16,8 @@ struct Body {
   const SigningAvatar* avatar = nullptr;  ///< null: the figure's own segments are drawn
   Textures textures = {};                 ///< the avatar's images
 
+  /// What its signer has to know.
+  FigureTraits traits() const;
   /// A stage of this body, which outlives it.
   Result<Stage> stage(const StageOptions& options) const;
 };

@@ -72,12 +72,6 @@ Result<TranslatorData> translator_data(const Lexicon& lexicon) {
   return data;
 }
 
-/// Skirts, bags and wide chests of foreign figures give more than a shirt: an elbow that avoided them would stand out.
-FigureTraits traits_of(const SigningAvatar& avatar) {
-  constexpr double kGives = 0.03;
-  return {.face = avatar.face, .trunk_gives = kGives};
-}
-
 }  // namespace
 
 Result<void> Session::load_avatar() {
@@ -259,7 +253,7 @@ Result<Show> Session::show() {
   const auto figure = this->figure();
   if (!figure) return tl::unexpected(figure.error());
   if (!signer_) {
-    auto signer = Signer::build(**figure, avatar_ ? traits_of(*avatar_) : FigureTraits{});
+    auto signer = Signer::build(**figure, Body{.figure = *figure, .avatar = avatar_.get()}.traits());
     if (!signer) return tl::unexpected(signer.error());
     signer_.emplace(std::move(*signer));
   }
