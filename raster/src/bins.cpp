@@ -30,9 +30,11 @@ int64_t doubled_area(const Corner& a, const Corner& b, const Corner& c) {
   return difference(b.x, a.x) * difference(c.y, a.y) - difference(c.x, a.x) * difference(b.y, a.y);
 }
 
-// First and last tile of a range, as Survivor has them.
-uint32_t tile_range(int32_t first, int32_t last, int32_t size) {
-  return static_cast<uint32_t>(first / size) | static_cast<uint32_t>(last / size) << 16U;
+TileRect tiles_of(uint32_t word, uint32_t tiles_across) {
+  const auto x = static_cast<int>((word & kTileMask) % tiles_across);
+  const auto y = static_cast<int>((word & kTileMask) / tiles_across);
+  const uint32_t more = word >> kTileBits;
+  return TileRect{x, y, x + static_cast<int>(more & kTileColumnMask), y + static_cast<int>(more >> kTileColumnBits)};
 }
 
 uint32_t colour_of(const RecordedDraw& draw, const uint32_t* corner) {
@@ -61,10 +63,12 @@ struct Bins::Sorting {
   Corner screen_corner(uint32_t vertex) const { return corner_of(vertices.points[vertex], vertices.values[vertex]); }
 };
 
-void Bins::reset() noexcept {
+void Bins::reset(size_t triangles) {
   general_.clear();
   textured_.clear();
   blocks_ = 0;
+  small_count_ = 0;
+  if (small_.size() < triangles + 8) small_.resize(triangles + 8);
 }
 
 void Bins::sort(const KernelTable& kernel, const RecordedDraw& draw, Piece& piece, const Viewport& viewport,
@@ -84,8 +88,10 @@ void Bins::sort(const KernelTable& kernel, const RecordedDraw& draw, Piece& piec
   job.width = viewport.width;
   job.height = viewport.height;
   job.reach = sorting.reach;
-  job.tails = draw.shading == Shading::kGouraud && !sorting.textured() ? lists.tail.data() : nullptr;
   job.tiles_across = tiles_across;
+  job.small = draw.shading == Shading::kGouraud && !sorting.textured() ? small_.data() : nullptr;
+  job.first_small = small_count_;
+  job.tails = lists.tail.data();
   job.sink.take = [](void* context, const Survivor& survivor) {
     auto& own = *static_cast<Sorting*>(context);
     own.bins.take(own, survivor);
@@ -99,6 +105,7 @@ void Bins::sort(const KernelTable& kernel, const RecordedDraw& draw, Piece& piec
   piece.tiles = TileRect{};
   piece.stats.submitted = piece.end - piece.begin;
   const TriangleCounts counts = kernel.triangles(job);
+  small_count_ += counts.appended;
   piece.stats.rejected += counts.rejected;
   piece.stats.drawn += counts.appended;
   piece.stats.culled = piece.stats.submitted - piece.stats.rejected - piece.stats.drawn;
@@ -113,8 +120,9 @@ void Bins::take(Sorting& sorting, const Survivor& survivor) {
     case Route::kSmall:
       if (sorting.textured()) return small_textured(sorting, survivor);
       ++sorting.piece.stats.drawn;
-      return append(sorting, survivor.corner, colour_of(sorting.draw, sorting.corners(survivor)), survivor.tile_columns,
-                    survivor.tile_rows);
+      small_[small_count_] = SmallTriangle{{survivor.corner[0], survivor.corner[1], survivor.corner[2]},
+                                           colour_of(sorting.draw, sorting.corners(survivor))};
+      return append(sorting, small_count_++, tiles_of(survivor.tiles, sorting.tiles_across));
     case Route::kLarge:
       return large(sorting, survivor);
     case Route::kCut:
@@ -184,8 +192,9 @@ bool Bins::add_general(Sorting& sorting, const Corner& a, const Corner& b, const
   t.last_column = std::min(last_column, sorting.viewport.width - 1);
   t.first_row = std::max(first_row, 0);
   t.last_row = std::min(last_row, sorting.viewport.height - 1);
-  append(sorting, {0, 0, 0}, kGeneralTriangle | number_ << kBinShift | static_cast<uint32_t>(place),
-         tile_range(t.first_column, t.last_column, kTileWidth), tile_range(t.first_row, t.last_row, kTileHeight));
+  append(sorting, kGeneralTriangle | number_ << kBinShift | static_cast<uint32_t>(place),
+         TileRect{t.first_column / kTileWidth, t.first_row / kTileHeight, t.last_column / kTileWidth,
+                  t.last_row / kTileHeight});
   return true;
 }
 
@@ -275,40 +284,30 @@ void Bins::cut(Sorting& sorting, const Survivor& survivor) {
   if (drawn) ++stats.drawn;
 }
 
-void Bins::append(Sorting& sorting, const uint32_t (&corner)[3], uint32_t colour, uint32_t tile_columns,
-                  uint32_t tile_rows) {
-  const auto left = static_cast<int>(tile_columns & 0xFFFFU);
-  const auto right = static_cast<int>(tile_columns >> 16U);
-  const auto top = static_cast<int>(tile_rows & 0xFFFFU);
-  const auto bottom = static_cast<int>(tile_rows >> 16U);
-  sorting.piece.tiles.include(left, top, right, bottom);
-  for (int row = top; row <= bottom; ++row) {
-    for (int column = left; column <= right; ++column)
-      append_to(sorting, static_cast<size_t>(row) * sorting.tiles_across + static_cast<size_t>(column), corner, colour);
+void Bins::append(Sorting& sorting, uint32_t entry, const TileRect& tiles) {
+  sorting.piece.tiles.include(tiles.x0, tiles.y0, tiles.x1, tiles.y1);
+  for (int row = tiles.y0; row <= tiles.y1; ++row) {
+    for (int column = tiles.x0; column <= tiles.x1; ++column) {
+      const size_t tile = static_cast<size_t>(row) * sorting.tiles_across + static_cast<size_t>(column);
+      uint32_t*& tail = sorting.lists.tail[tile];
+      if (reinterpret_cast<uintptr_t>(tail) % sizeof(EntryBlock) == 0) extend(sorting.lists, tile);
+      *tail++ = entry;
+    }
   }
 }
 
-void Bins::append_to(Sorting& sorting, size_t tile, const uint32_t (&corner)[3], uint32_t colour) {
-  EntryBlock* tail = sorting.lists.tail[tile];
-  if (tail == nullptr || tail->count == EntryBlock::kCapacity) tail = extend(sorting.lists, tile);
-  const uint32_t i = tail->count++;
-  for (size_t c = 0; c < 3; ++c)
-    tail->corner[c][i] = corner[c];
-  tail->colour[i] = colour;
-}
-
 // Gives a tile's list a block more.
-EntryBlock* Bins::extend(const TileLists& lists, size_t tile) {
+uint32_t* Bins::extend(const TileLists& lists, size_t tile) {
   const size_t page = blocks_ / kPage;
   if (page == pages_.size()) pages_.push_back(std::make_unique_for_overwrite<EntryBlock[]>(kPage));
   EntryBlock* block = &pages_[page][blocks_ % kPage];
   ++blocks_;
-  *block = EntryBlock{};  // places that stay empty name a vertex that there is
-  std::fill_n(block->colour, EntryBlock::kCapacity, kGouraudColour);
-  EntryBlock*& tail = lists.tail[tile];
-  (tail == nullptr ? lists.head[tile] : tail->next) = block;
-  tail = block;
-  return block;
+  block->next = nullptr;
+  uint32_t*& tail = lists.tail[tile];
+  // A tail that is not null stands behind the last entry of a full block.
+  (tail == nullptr ? lists.head[tile] : reinterpret_cast<EntryBlock*>(tail)[-1].next) = block;
+  tail = block->entry;
+  return tail;
 }
 
 }  // namespace auslan::raster

@@ -61,7 +61,8 @@ struct ScreenVertices {
 
 /// One list of entries a tile.
 struct TileLists {
-  std::span<EntryBlock*> head, tail;
+  std::span<EntryBlock*> head;
+  std::span<uint32_t*> tail;
 };
 
 /// The triangles and entries of one group. They stay where they are until `reset`. What a group needs does not depend
@@ -75,7 +76,8 @@ class Bins {
   /// `number`: this object's place in the array that TileJob::general is.
   explicit Bins(uint32_t number) : number_(number) {}
 
-  void reset() noexcept;
+  /// `triangles`: how many may come at most.
+  void reset(size_t triangles);
 
   /// Takes a piece through the triangle stage and appends its entries to `lists`.
   void sort(const KernelTable& kernel, const RecordedDraw& draw, Piece& piece, const Viewport& viewport, int samples,
@@ -83,6 +85,7 @@ class Bins {
 
   const GeneralTriangle* general() const noexcept { return general_.data(); }
   const TexturedTriangle* textured() const noexcept { return textured_.data(); }
+  const SmallTriangle* small() const noexcept { return small_.data(); }
 
  private:
   struct Sorting;
@@ -97,14 +100,14 @@ class Bins {
                    const Survivor* small = nullptr);
   void add_textured(const RecordedDraw& draw, const Corner (&corners)[3], uint32_t colour, const Survivor* small,
                     GeneralTriangle& shape);
-  void append(Sorting& sorting, const uint32_t (&corner)[3], uint32_t colour, uint32_t tile_columns,
-              uint32_t tile_rows);
-  void append_to(Sorting& sorting, size_t tile, const uint32_t (&corner)[3], uint32_t colour);
-  EntryBlock* extend(const TileLists& lists, size_t tile);
+  void append(Sorting& sorting, uint32_t entry, const TileRect& tiles);
+  uint32_t* extend(const TileLists& lists, size_t tile);
 
   uint32_t number_;
   std::vector<GeneralTriangle> general_;
   std::vector<TexturedTriangle> textured_;
+  std::vector<SmallTriangle> small_;  ///< its size is the room
+  uint32_t small_count_ = 0;
   std::vector<std::unique_ptr<EntryBlock[]>> pages_;
   size_t blocks_ = 0;
 };

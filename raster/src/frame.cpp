@@ -270,7 +270,10 @@ void Frame::sort(bool changed) {
   auto work = [this, tiles](uint32_t item, int) {
     const Group& group = groups_[work_[item]];
     Bins& bins = bins_[work_[item]];
-    bins.reset();
+    size_t triangles = 0;
+    for (size_t i = group.first_piece; i < group.last_piece; ++i)
+      triangles += pieces_[i].end - pieces_[i].begin;
+    bins.reset(triangles);
     const size_t first = work_[item] * tiles;
     const TileLists lists{std::span(heads_).subspan(first, tiles), std::span(tails_).subspan(first, tiles)};
     for (size_t i = group.first_piece; i < group.last_piece; ++i) {
@@ -336,8 +339,11 @@ void Frame::fill(std::span<uint32_t> pixels) {
     if (dirty_[tile] != 0) work_.push_back(static_cast<uint32_t>(tile));
   }
   general_.clear();
-  for (const Bins& bins : bins_)
+  small_.clear();
+  for (const Bins& bins : bins_) {
     general_.push_back(bins.general());
+    small_.push_back(bins.small());
+  }
   textured_.clear();
   for (const Bins& bins : bins_)
     textured_.push_back(bins.textured());
@@ -376,6 +382,8 @@ void Frame::fill_tile(uint32_t tile, int worker, std::span<uint32_t> pixels) {
   }
   Buffers& buffers = buffers_[static_cast<size_t>(worker)];
   job.lists = &heads_[tile];
+  job.tails = &tails_[tile];
+  job.small = small_.data();
   job.list_stride = dirty_.size();
   job.list_count = groups_.size();
   job.points = vertices_.points.data();

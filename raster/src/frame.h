@@ -75,10 +75,12 @@ class Frame {
   std::vector<Piece> vertex_pieces_, pieces_;
   std::vector<Group> groups_;
   std::vector<uint32_t> work_;              ///< numbers of pieces, groups or tiles that the stage in hand goes through
-  std::vector<EntryBlock*> heads_, tails_;  ///< one a tile for each group
+  std::vector<EntryBlock*> heads_;  ///< one a tile for each group
+  std::vector<uint32_t*> tails_;    ///< theirs
   std::vector<Bins> bins_;                  ///< one a group
   std::vector<const GeneralTriangle*> general_;
   std::vector<const TexturedTriangle*> textured_;
+  std::vector<const SmallTriangle*> small_;
   std::vector<uint8_t> dirty_, shown_;  ///< a tile must be written; a tile showed something in the last frame
 
   struct Buffers {

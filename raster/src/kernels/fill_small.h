@@ -66,7 +66,7 @@ struct FillSmall {
 
     // `from`: of its first block from the triangle's corner.
     template <class Start>
-    Column(const TileBuffers& buffers, const Group& group, size_t lane, uint32_t flat_colour, const Start& from)
+    Column(const TileBuffers& buffers, const Group& group, size_t lane, const Start& from)
         : g(group), k(lane) {
       I lanes = L::load(kShape.lanes);
       down = L::spread(&g.down[k]) + L::load(kShape.down);
@@ -84,8 +84,8 @@ struct FillSmall {
       origin = L::spread(&g.depth[k]);
       depth_down = L::spread(&g.depth_y[k]);
       depth_across = across * L::spread(&g.depth_x[k]);
-      if (flat_colour != kGouraudColour) {
-        set_flat(flat_colour);
+      if ((g.word[k] & kGouraudColour) == 0U) {
+        set_flat(g.word[k]);
       } else {
         set_colours(from);
       }
@@ -194,27 +194,27 @@ struct FillSmall {
     }
   };
 
-  static void run(const TileBuffers& buffers, const Group& g, size_t k, uint32_t flat) {
+  static void run(const TileBuffers& buffers, const Group& g, size_t k) {
     const int32_t width = g.width[k];
     const int32_t height = g.height[k];
-    if (width <= 4) return Column<true>(buffers, g, k, flat, Corner{}).run(height);
-    if (width <= 8) return Column<false>(buffers, g, k, flat, Corner{}).run(height);
-    fill_wide(buffers, g, k, flat);
+    if (width <= 4) return Column<true>(buffers, g, k, Corner{}).run(height);
+    if (width <= 8) return Column<false>(buffers, g, k, Corner{}).run(height);
+    fill_wide(buffers, g, k);
   }
 
-  [[gnu::noinline]] static void fill_wide(const TileBuffers& buffers, const Group& g, size_t k, uint32_t flat) {
+  [[gnu::noinline]] static void fill_wide(const TileBuffers& buffers, const Group& g, size_t k) {
     const int32_t width = g.width[k];
     const int32_t height = g.height[k];
     int32_t column = 0;
     for (; column + 4 < width; column += 8)
-      fill_column<false>(buffers, g, k, flat, column, height);
-    if (column < width) fill_column<true>(buffers, g, k, flat, column, height);
+      fill_column<false>(buffers, g, k, column, height);
+    if (column < width) fill_column<true>(buffers, g, k, column, height);
   }
 
   // Of a column of a wide triangle only the rows that hold something. They follow each other, as each edge shuts out
   // what lies above or below a row.
   template <bool kTall>
-  static void fill_column(const TileBuffers& buffers, const Group& g, size_t k, uint32_t flat, int32_t column,
+  static void fill_column(const TileBuffers& buffers, const Group& g, size_t k, int32_t column,
                           int32_t height) {
     I highest[3], eight_down[3];
     static constexpr uint32_t kRows[8] = {0,         1U << 16U, 2U << 16U, 3U << 16U,
@@ -237,7 +237,7 @@ struct FillSmall {
     if (touched == 0U) return;
     const int32_t first = __builtin_ctzll(touched);
     const int32_t last = 63 - __builtin_clzll(touched);
-    Column<kTall>(buffers, g, k, flat, Place{column, first}).run(last - first + 1);
+    Column<kTall>(buffers, g, k, Place{column, first}).run(last - first + 1);
   }
 };
 

@@ -230,12 +230,11 @@ struct FillTextured {
   // Fills by the short path; false where it must be the long one.
   static bool fill_small(const TileJob& job, const TexturedTriangle& t) {
     if (!t.small) return false;
-    EntryBlock block{};
-    for (size_t c = 0; c < 3; ++c)
-      block.corner[c][0] = t.corner[c];
+    const SmallTriangle small{{t.corner[0], t.corner[1], t.corner[2]}, kStandInColour};
+    static constexpr uint32_t kAlone[8] = {};
     SmallGroup<kSamples> group;
-    if ((SetUp<LanesApart<L>, kSamples>::run(job, block, 0, group) & 1U) != 0U) return false;
-    FillSmall<LanesApart<L>, kSamples>::run(job.buffers, group, 0, kStandInColour);
+    if ((SetUp<LanesApart<L>, kSamples>::run(job, &small, kAlone, group) & 1U) != 0U) return false;
+    FillSmall<LanesApart<L>, kSamples>::run(job.buffers, group, 0);
     return true;
   }
 

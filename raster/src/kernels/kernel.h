@@ -98,8 +98,7 @@ struct Survivor {
   uint32_t corner[3];  ///< numbers of screen vertices in the frame
   uint32_t triangle;   ///< its number in the mesh
   Route route;
-  /// kSmall: the tiles that its box touches; first in the low half, last in the high half.
-  uint32_t tile_columns, tile_rows;
+  uint32_t tiles;  ///< kSmall: those that its box touches, as SmallTriangle::word has them
 };
 
 inline constexpr uint32_t kGouraudColour = 0x40000000U;
@@ -113,22 +112,35 @@ inline constexpr uint32_t kScratchTriangle = 0xFFFFFFFFU;  ///< the tile's own
 /// No colour of a triangle, and no promise: what a textured triangle is filled with before it gets its colours.
 inline constexpr uint32_t kStandInColour = 0x01000000U;
 
-/// A tile's triangles, in drawing order.
-struct EntryBlock {
-  static constexpr uint32_t kCapacity = 16;
-  uint32_t corner[3][kCapacity];  ///< of small triangles; of others any vertex
-  uint32_t colour[kCapacity];     ///< 0x00RRGGBB, or kGouraudColour, or kGeneralTriangle with bin and place; places
-                                  ///< that are still empty hold kGouraudColour
-  EntryBlock* next;
-  uint32_t count;
+/// A triangle of the short path.
+struct SmallTriangle {
+  uint32_t corner[3];  ///< numbers of screen vertices in the frame, in the order of positive area
+  uint32_t word;       ///< 0x00RRGGBB, or kGouraudColour and in the bits below it tiles
 };
+/// Tiles of a small triangle: the number of the first one, how many columns follow it, how many rows.
+inline constexpr uint32_t kTileBits = 17, kTileColumnBits = 2, kTileRowBits = 3;
+inline constexpr uint32_t kTileMask = (1U << kTileBits) - 1U;
+inline constexpr uint32_t kTileColumnMask = (1U << kTileColumnBits) - 1U;
+static_assert(kSmallExtent / kSubPixels / kTileWidth + 1 <= 1 << kTileColumnBits);
+static_assert(kSmallExtent / kSubPixels / kTileHeight + 1 < 1 << kTileRowBits);
+static_assert((16384 / kTileWidth) * (16384 / kTileHeight) <= 1 << kTileBits);
+static_assert(1U << (kTileBits + kTileColumnBits + kTileRowBits) <= kGouraudColour);
+
+/// A tile's triangles, in drawing order. A list's tail points behind its last entry; where that is the end of a block,
+/// and so a multiple of a block's size, or null, there is no room left.
+struct alignas(256) EntryBlock {
+  static constexpr size_t kCapacity = 56;
+  EntryBlock* next;
+  alignas(32) uint32_t entry[kCapacity];  ///< a place in the list's small triangles, or a general triangle's name
+};
+static_assert(sizeof(EntryBlock) == 256 && offsetof(EntryBlock, entry) + sizeof(EntryBlock::entry) == 256);
 
 /// What the triangle stage asks for.
 struct TriangleSink {
   /// Takes a triangle that the stage does not append to the lists by itself.
   void (*take)(void* context, const Survivor& survivor);
-  /// A tile's list has no room left: gives it a block more, which is then its tail.
-  EntryBlock* (*extend)(void* context, size_t tile);
+  /// A tile's list has no room left: gives it a block more and returns its new tail.
+  uint32_t* (*extend)(void* context, size_t tile);
   void* context;
 };
 
@@ -140,16 +152,19 @@ struct TriangleJob {
   bool mirrored, two_sided;
   int width, height;
   int32_t reach;  ///< how far the farthest sample lies from its pixel's centre in x or y, sub-pixels
-  /// Small triangles go straight to the last blocks of their tiles, with kGouraudColour; all others are handed over, in
-  /// between and in order. Null: all are handed over.
-  EntryBlock** tails;
   int tiles_across;
+  /// Small triangles go straight to `small`, from `first_small` on and with kGouraudColour, and to their tiles' lists;
+  /// all others are handed over, in between and in order. Null: all are handed over. There must be room for eight more
+  /// than there are triangles to do.
+  SmallTriangle* small;
+  uint32_t first_small;
+  uint32_t** tails;
   TriangleSink sink;
 };
 /// Of a run of the stage.
 struct TriangleCounts {
   size_t rejected = 0;
-  size_t appended = 0;  ///< by the stage itself
+  uint32_t appended = 0;  ///< by the stage itself
   /// Bounds of the tiles of all small triangles that were not culled, and perhaps of some that were; none if first >
   /// last.
   uint32_t first_tile_column = 0xFFFF, last_tile_column = 0, first_tile_row = 0xFFFF, last_tile_row = 0;
@@ -198,6 +213,8 @@ struct TileJob {
   int width, height;  ///< of the part that lies in the frame
   uint32_t background;
   EntryBlock* const* lists;  ///< in drawing order; list_stride pointers from one to the next
+  uint32_t* const* tails;    ///< of the lists
+  const SmallTriangle* const* small;  ///< one array a list
   size_t list_stride, list_count;
   const ScreenPoint* points;
   const ScreenValues* values;

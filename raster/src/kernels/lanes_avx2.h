@@ -153,6 +153,14 @@ struct Avx2 {
     };
     transpose(row(0), row(1), row(2), row(3), a, b, c, d);
   }
+  static void gather_quads(const uint32_t* base, const uint32_t* number, I& a, I& b, I& c, I& d) {
+    F f[4];
+    gather_quads(reinterpret_cast<const float*>(base), number, 4, f[0], f[1], f[2], f[3]);  // bits that pass through
+    a = bits(f[0]);
+    b = bits(f[1]);
+    c = bits(f[2]);
+    d = bits(f[3]);
+  }
   static void gather_pairs(const float* base, const uint32_t* number, size_t stride, F& a, F& b) {
     const auto two = [=](size_t i, size_t j) {
       const __m128d low = _mm_load_sd(reinterpret_cast<const double*>(base + size_t{number[i]} * stride));
@@ -183,6 +191,11 @@ struct Avx2 {
     _mm256_storeu_ps(out + 16, _mm256_permute2f128_ps(r0.v, r1.v, 0x31));
     _mm256_storeu_ps(out + 24, _mm256_permute2f128_ps(r2.v, r3.v, 0x31));
   }
+  static void store_kept(uint32_t* out, uint32_t kept, I a, I b, I c, I d) {
+    const __m256i order = _mm256_cvtepu8_epi32(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(kKept.order[kept])));
+    const auto keep = [order](I words) { return F{_mm256_permutevar8x32_ps(from_bits(words).v, order)}; };
+    scatter_quads(reinterpret_cast<float*>(out), keep(a), keep(b), keep(c), keep(d));
+  }
   static void load_triples(const uint32_t* p, I& a, I& b, I& c) {
     const auto two = [p](size_t i) {
       const auto* low = reinterpret_cast<const __m128i*>(p + i);
@@ -207,6 +220,22 @@ struct Avx2 {
     b = {_mm256_shuffle_ps(y0z0y1z1, x2y2x3y3, 0xD8)};        // y0 y1 y2 y3
     c = {_mm256_shuffle_ps(y0z0y1z1, r2, 0xCD)};              // z0 z1 z2 z3
   }
+
+  // For each set of lanes the numbers of those in it, then zeros.
+  struct Kept {
+    uint8_t order[256][8] = {};
+    constexpr Kept() {
+      for (uint32_t set = 0; set < 256; ++set) {
+        size_t count = 0;
+        for (uint32_t lane = 0; lane < 8; ++lane) {
+          if ((set >> lane & 1U) != 0U) order[set][count++] = static_cast<uint8_t>(lane);
+        }
+      }
+    }
+  };
+  static const Kept kKept;
 };
+
+inline constexpr Avx2::Kept Avx2::kKept{};
 
 }  // namespace auslan::raster

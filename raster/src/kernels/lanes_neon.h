@@ -154,6 +154,14 @@ struct Neon {
     transpose(row(0), row(1), row(2), row(3), a.l, b.l, c.l, d.l);
     transpose(row(4), row(5), row(6), row(7), a.h, b.h, c.h, d.h);
   }
+  static void gather_quads(const uint32_t* base, const uint32_t* number, I& a, I& b, I& c, I& d) {
+    F f[4];
+    gather_quads(reinterpret_cast<const float*>(base), number, 4, f[0], f[1], f[2], f[3]);  // bits that pass through
+    a = bits(f[0]);
+    b = bits(f[1]);
+    c = bits(f[2]);
+    d = bits(f[3]);
+  }
   static void gather_pairs(const float* base, const uint32_t* number, size_t stride, F& a, F& b) {
     const auto two = [=](size_t i) {
       return vcombine_f32(vld1_f32(base + size_t{number[i]} * stride), vld1_f32(base + size_t{number[i + 1]} * stride));
@@ -178,6 +186,15 @@ struct Neon {
   static void scatter_quads(float* out, F a, F b, F c, F d) {
     vst4q_f32(out, float32x4x4_t{{a.l, b.l, c.l, d.l}});
     vst4q_f32(out + 16, float32x4x4_t{{a.h, b.h, c.h, d.h}});
+  }
+  static void store_kept(uint32_t* out, uint32_t kept, I a, I b, I c, I d) {
+    uint32_t rows[32];
+    vst4q_s32(reinterpret_cast<int32_t*>(rows), int32x4x4_t{{a.l, b.l, c.l, d.l}});
+    vst4q_s32(reinterpret_cast<int32_t*>(rows + 16), int32x4x4_t{{a.h, b.h, c.h, d.h}});
+    for (size_t i = 0; i < 8; ++i) {
+      vst1q_u32(out, vld1q_u32(rows + 4 * i));
+      out += size_t{kept >> i & 1U} * 4;
+    }
   }
   static void load_triples(const uint32_t* p, I& a, I& b, I& c) {
     const uint32x4x3_t low = vld3q_u32(p);

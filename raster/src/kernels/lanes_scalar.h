@@ -344,6 +344,16 @@ struct Scalar {
       d.v[i] = p[3];
     }
   }
+  static void gather_quads(const uint32_t* base, const uint32_t* number, I& a, I& b, I& c, I& d) {
+    for (size_t i = 0; i < kLanes; ++i) {
+      uint32_t words[4];
+      __builtin_memcpy(words, base + size_t{number[i]} * 4, sizeof words);
+      a.v[i] = words[0];
+      b.v[i] = words[1];
+      c.v[i] = words[2];
+      d.v[i] = words[3];
+    }
+  }
   static void gather_pairs(const float* base, const uint32_t* number, size_t stride, F& a, F& b) {
     for (size_t i = 0; i < kLanes; ++i) {
       const float* p = base + size_t{number[i]} * stride;
@@ -372,6 +382,16 @@ struct Scalar {
       out[4 * i + 1] = b.v[i];
       out[4 * i + 2] = c.v[i];
       out[4 * i + 3] = d.v[i];
+    }
+  }
+  /// Lane i of a, b, c, d goes to four words, those of the lanes in `kept` one after another from out on. Up to the 32
+  /// words from out on are written.
+  static void store_kept(uint32_t* out, uint32_t kept, const I& a, const I& b, const I& c, const I& d) {
+    for (size_t i = 0; i < kLanes; ++i) {
+      if ((kept >> i & 1U) == 0U) continue;
+      const uint32_t words[4] = {a.v[i], b.v[i], c.v[i], d.v[i]};
+      __builtin_memcpy(out, words, sizeof words);
+      out += 4;
     }
   }
   /// Lane i of a, b, c: the three numbers at p + 3 * i.

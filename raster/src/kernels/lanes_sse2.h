@@ -146,6 +146,14 @@ struct Sse2 {
     transpose(row(0), row(1), row(2), row(3), a.l, b.l, c.l, d.l);
     transpose(row(4), row(5), row(6), row(7), a.h, b.h, c.h, d.h);
   }
+  static void gather_quads(const uint32_t* base, const uint32_t* number, I& a, I& b, I& c, I& d) {
+    F f[4];
+    gather_quads(reinterpret_cast<const float*>(base), number, 4, f[0], f[1], f[2], f[3]);  // bits that pass through
+    a = bits(f[0]);
+    b = bits(f[1]);
+    c = bits(f[2]);
+    d = bits(f[3]);
+  }
   static void gather_pairs(const float* base, const uint32_t* number, size_t stride, F& a, F& b) {
     const auto two = [=](size_t i) {
       const __m128d low = _mm_load_sd(reinterpret_cast<const double*>(base + size_t{number[i]} * stride));
@@ -176,6 +184,16 @@ struct Sse2 {
     transpose(a.h, b.h, c.h, d.h, rows[4], rows[5], rows[6], rows[7]);
     for (size_t i = 0; i < 8; ++i)
       _mm_storeu_ps(out + 4 * i, rows[i]);
+  }
+  static void store_kept(uint32_t* out, uint32_t kept, I a, I b, I c, I d) {
+    const F f[4] = {from_bits(a), from_bits(b), from_bits(c), from_bits(d)};
+    __m128 rows[8];
+    transpose(f[0].l, f[1].l, f[2].l, f[3].l, rows[0], rows[1], rows[2], rows[3]);
+    transpose(f[0].h, f[1].h, f[2].h, f[3].h, rows[4], rows[5], rows[6], rows[7]);
+    for (size_t i = 0; i < 8; ++i) {
+      store4(out, _mm_castps_si128(rows[i]));
+      out += size_t{kept >> i & 1U} * 4;
+    }
   }
   static void load_triples(const uint32_t* p, I& a, I& b, I& c) {
     const auto four = [p](size_t i) { return _mm_castsi128_ps(load4(p + i)); };

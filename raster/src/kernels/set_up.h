@@ -15,6 +15,7 @@ struct SmallGroup {
   int32_t column[8], row[8];  ///< of the corner from the tile's first pixel
   int32_t width[8], height[8];
   float across[8], down[8];  ///< pixels from the anchor to the corner
+  uint32_t word[8];          ///< as SmallTriangle has it
   // Edge functions in whole pixels: the value at pixel (i, j) from the corner is start + i * a + j * b, inside where it
   // is not negative. `start` is the exact value in square sub-pixels, with the top-left rule, divided by 256 and
   // rounded down: as a step of one pixel is a multiple of 256, no sign is lost.
@@ -52,11 +53,20 @@ struct SetUp {
 
   /// Returns the lanes that must take the long path: slivers, whose gradients need more than single precision, and
   /// triangles whose colours must follow the perspective.
-  static uint32_t run(const TileJob& job, const EntryBlock& block, size_t first, SmallGroup<kSamples>& out) {
+  static uint32_t run(const TileJob& job, const SmallTriangle* small, const uint32_t* number,
+                      SmallGroup<kSamples>& out) {
     F x[3], y[3], depth[3], w[3];
     I blue_green[3], red[3];
+    alignas(32) uint32_t corners[3][8];
+    {
+      I words[4];
+      L::gather_quads(small->corner, number, words[0], words[1], words[2], words[3]);
+      for (size_t c = 0; c < 3; ++c)
+        L::store(corners[c], words[c]);
+      L::store(out.word, words[3]);
+    }
     for (size_t c = 0; c < 3; ++c) {
-      const uint32_t* corner = block.corner[c] + first;
+      const uint32_t* corner = corners[c];
       F levels[2];
       L::gather_pairs(&job.points->x, corner, sizeof(ScreenPoint) / sizeof(float), x[c], y[c]);
       L::gather_quads(&job.values->depth, corner, sizeof(ScreenValues) / sizeof(float), depth[c], w[c], levels[0],

@@ -45,15 +45,21 @@ struct TileStage {
     bool owned = false;  ///< cells may have owners
   };
 
-  // Eight entries of a block, or as many as it has.
-  static void fill_eight(const TileJob& job, const EntryBlock& block, size_t first, State& state) {
-    const size_t count = block.count - first < 8 ? block.count - first : 8;
+  // Up to eight entries; there is room for eight.
+  static void fill_eight(const TileJob& job, const SmallTriangle* small, const uint32_t* entry, size_t count,
+                         State& state) {
+    static constexpr uint32_t kNumbers[8] = {0, 1, 2, 3, 4, 5, 6, 7};
+    const I is_there = L::greater(L::set(static_cast<int32_t>(count)), L::load(kNumbers));
+    const I entries = L::load(entry);
     const uint32_t there = (1U << count) - 1U;
-    const uint32_t general = L::signs(L::load(block.colour + first)) & there;
+    const uint32_t general = L::signs(entries) & there;
     SmallGroup<kSamples> group;
     uint32_t with_care = 0;
     if (general != there) {
-      with_care = SetUp<L, kSamples>::run(job, block, first, group) & there;
+      // In places of others stands some small triangle that there is.
+      alignas(32) uint32_t number[8];
+      L::store(number, L::select(L::and_not(L::sign_mask(entries), is_there), entries, L::set(0)));
+      with_care = SetUp<L, kSamples>::run(job, small, number, group) & there;
       // Small triangles do not keep the upper bounds up, and know nothing of owners.
       set_cells(job.buffers.cell_greatest, 2.0F);
       if (state.owned) FillGeneral<L, kSamples>::release_all(job);
@@ -62,11 +68,11 @@ struct TileStage {
     const uint32_t long_path = general | with_care;
     for (size_t i = 0; i < count; ++i) {
       if ((long_path >> i & 1U) == 0U) {
-        FillSmall<L, kSamples>::run(job.buffers, group, i, block.colour[first + i]);
+        FillSmall<L, kSamples>::run(job.buffers, group, i);
       } else if ((general >> i & 1U) != 0U) {
-        fill_large(job, block.colour[first + i], state);
+        fill_large(job, entry[i], state);
       } else {
-        fill_with_care(job, block, first + i, group, i, state);
+        fill_with_care(job, small[entry[i]], group, i, state);
       }
     }
   }
@@ -84,13 +90,14 @@ struct TileStage {
   }
 
   // A small triangle by the long path.
-  [[gnu::noinline]] static void fill_with_care(const TileJob& job, const EntryBlock& block, size_t i,
+  [[gnu::noinline]] static void fill_with_care(const TileJob& job, const SmallTriangle& small,
                                                const SmallGroup<kSamples>& group, size_t k, State& state) {
     Corner corner[3];
     for (size_t c = 0; c < 3; ++c)
-      corner[c] = corner_of(job.points[block.corner[c][i]], job.values[block.corner[c][i]]);
+      corner[c] = corner_of(job.points[small.corner[c]], job.values[small.corner[c]]);
     GeneralTriangle& t = *job.buffers.scratch;
-    set_up_general(corner[0], corner[1], corner[2], block.colour[i], t);
+    const bool gouraud = (small.word & kGouraudColour) != 0U;
+    set_up_general(corner[0], corner[1], corner[2], gouraud ? kGouraudColour : small.word, t);
     t.first_column = job.x + group.column[k];
     t.first_row = job.y + group.row[k];
     t.last_column = t.first_column + group.width[k] - 1;
@@ -103,9 +110,12 @@ struct TileStage {
     clear(job);
     State state;
     for (size_t list = 0; list < job.list_count; ++list) {
+      const SmallTriangle* small = job.small[list];
+      const uint32_t* tail = job.tails[list * job.list_stride];
       for (const EntryBlock* block = job.lists[list * job.list_stride]; block != nullptr; block = block->next) {
-        for (size_t first = 0; first < block->count; first += 8)
-          fill_eight(job, *block, first, state);
+        const uint32_t* end = block->next != nullptr ? block->entry + EntryBlock::kCapacity : tail;
+        for (const uint32_t* entry = block->entry; entry < end; entry += 8)
+          fill_eight(job, small, entry, end - entry < 8 ? static_cast<size_t>(end - entry) : 8, state);
       }
     }
     Resolve<L, kSamples>::run(job, state.promised);

@@ -15,17 +15,20 @@ struct TriangleStage {
   struct State {
     TriangleCounts counts;
     I least_columns, greatest_columns, least_rows, greatest_rows;  ///< first in the low, last in the high halves
+    uint32_t listed;  ///< small triangles that are in the lists of their tiles; the rest of those appended follow
   };
+  // So many wait to be listed: few enough to stay near, enough for a loop that seldom ends.
+  static constexpr uint32_t kWaiting = 256;
 
   // Eight triangles; the lanes of `wanted` are real ones with good indices.
   static void eight(const TriangleJob& job, const I (&index)[3], uint32_t wanted, size_t first, State& state) {
-    alignas(32) uint32_t number[3][8];
     I corner[3];
     F x[3], y[3];
     for (size_t c = 0; c < 3; ++c) {
+      alignas(32) uint32_t number[8];
       corner[c] = index[c] + L::set(static_cast<int32_t>(job.first_vertex));
-      L::store(number[c], corner[c]);
-      L::gather_pairs(&job.points->x, number[c], sizeof(ScreenPoint) / sizeof(float), x[c], y[c]);
+      L::store(number, corner[c]);
+      L::gather_pairs(&job.points->x, number, sizeof(ScreenPoint) / sizeof(float), x[c], y[c]);
     }
     const F left = L::min(L::min(x[0], x[1]), x[2]);
     const F right = L::max(L::max(x[0], x[1]), x[2]);
@@ -61,12 +64,9 @@ struct TriangleStage {
     if (kept == 0U) return;
 
     // Small triangles in the order of positive area.
-    const uint32_t turn = negative & small & ~cut;
-    if (turn != 0U) {
-      const I turned = L::sign_mask(area) & is_small;
-      L::store(number[1], L::select(turned, corner[2], corner[1]));
-      L::store(number[2], L::select(turned, corner[1], corner[2]));
-    }
+    const I turned = L::sign_mask(area) & is_small;
+    const I second = L::select(turned, corner[2], corner[1]);
+    const I third = L::select(turned, corner[1], corner[2]);
     const I zero = L::set(0);
     const I tile_left = L::template shift_right<kTileWidthBits>(L::max(first_column, zero));
     const I tile_right = L::template shift_right<kTileWidthBits>(L::min(last_column, right_edge));
@@ -80,53 +80,74 @@ struct TriangleStage {
     state.least_rows = L::min16(state.least_rows, L::select(hidden, L::set(0x7FFF), rows));
     state.greatest_rows = L::max16(state.greatest_rows, L::select(hidden, zero, rows));
 
-    const uint32_t ordinary = job.tails != nullptr ? kept & small & ~cut : 0U;
-    const uint32_t one_tile = L::signs(L::equal((tile_left ^ tile_right) | (tile_top ^ tile_bottom), zero));
-    alignas(32) uint32_t tile[8];
-    L::store(tile, L::dot(L::pair(tile_left, tile_top), L::set(1 | job.tiles_across << 16)));
-    state.counts.appended += static_cast<size_t>(__builtin_popcount(ordinary));
-    if ((kept & ~(ordinary & one_tile)) == 0U) {
-      for (uint32_t left_over = kept; left_over != 0U; left_over &= left_over - 1U) {
-        const auto i = static_cast<size_t>(__builtin_ctz(left_over));
-        append(job, number, i, tile[i]);
-      }
-      return;
+    const I first_tile = L::dot(L::pair(tile_left, tile_top), L::set(1 | job.tiles_across << 16));
+    const I more_columns = L::template shift_left<kTileBits>(tile_right - tile_left);
+    const I more_rows = L::template shift_left<kTileBits + kTileColumnBits>(tile_bottom - tile_top);
+    const I tiles = (first_tile | more_columns) | more_rows;
+    const uint32_t ordinary = job.small != nullptr ? small & ~cut : 0U;
+    if ((kept & ~ordinary) != 0U) {
+      const I number[4] = {corner[0], second, third, tiles};
+      return one_by_one(job, number, Kinds{kept, ordinary, small, cut}, first, state);
     }
-    alignas(32) uint32_t tile_columns[8];
-    alignas(32) uint32_t tile_rows[8];
-    L::store(tile_columns, columns);
-    L::store(tile_rows, rows);
-    for (uint32_t left_over = kept; left_over != 0U; left_over &= left_over - 1U) {
+    const I word = tiles | L::set(static_cast<int32_t>(kGouraudColour));
+    L::store_kept(job.small[job.first_small + state.counts.appended].corner, kept, corner[0], second, third, word);
+    state.counts.appended += static_cast<uint32_t>(__builtin_popcount(kept));
+  }
+
+  struct Kinds {
+    uint32_t kept, ordinary, small, cut;  ///< bit i is lane i
+  };
+
+  // Eight triangles of which not all are the stage's own to append. `number`: corners and tiles.
+  [[gnu::noinline]] static void one_by_one(const TriangleJob& job, const I (&number)[4], const Kinds& kinds,
+                                           size_t first, State& state) {
+    alignas(32) uint32_t lanes[4][8];
+    for (size_t k = 0; k < 4; ++k)
+      L::store(lanes[k], number[k]);
+    for (uint32_t left_over = kinds.kept; left_over != 0U; left_over &= left_over - 1U) {
       const auto i = static_cast<size_t>(__builtin_ctz(left_over));
-      if ((ordinary >> i & 1U) == 0U) {
-        const Route route = (cut >> i & 1U) != 0U     ? Route::kCut
-                            : (small >> i & 1U) != 0U ? Route::kSmall
-                                                      : Route::kLarge;
-        const Survivor survivor{{number[0][i], number[1][i], number[2][i]},
-                                static_cast<uint32_t>(first + i),
-                                route,
-                                tile_columns[i],
-                                tile_rows[i]};
-        job.sink.take(job.sink.context, survivor);
+      if ((kinds.ordinary >> i & 1U) != 0U) {
+        job.small[job.first_small + state.counts.appended++] =
+            SmallTriangle{{lanes[0][i], lanes[1][i], lanes[2][i]}, lanes[3][i] | kGouraudColour};
         continue;
       }
-      const size_t across = (tile_columns[i] >> 16U) - (tile_columns[i] & 0xFFFFU);
-      const size_t down = (tile_rows[i] >> 16U) - (tile_rows[i] & 0xFFFFU);
-      size_t row = tile[i];
-      for (size_t j = 0; j <= down; ++j, row += static_cast<size_t>(job.tiles_across)) {
-        for (size_t k = 0; k <= across; ++k)
-          append(job, number, i, row + k);
+      list(job, state);
+      const Route route = (kinds.cut >> i & 1U) != 0U     ? Route::kCut
+                          : (kinds.small >> i & 1U) != 0U ? Route::kSmall
+                                                          : Route::kLarge;
+      const Survivor survivor{
+          {lanes[0][i], lanes[1][i], lanes[2][i]}, static_cast<uint32_t>(first + i), route, lanes[3][i]};
+      job.sink.take(job.sink.context, survivor);
+    }
+  }
+
+  // Puts what waits into the lists of its tiles.
+  static void list(const TriangleJob& job, State& state) {
+    const SmallTriangle* small = job.small + job.first_small;
+    for (; state.listed < state.counts.appended; ++state.listed) {
+      const uint32_t word = small[state.listed].word;
+      const uint32_t number = job.first_small + state.listed;
+      const uint32_t tile = word & kTileMask;
+      append(job, tile, number);
+      const uint32_t more = (word & ~kGouraudColour) >> kTileBits;
+      if (more == 0U) continue;
+      const uint32_t across = more & kTileColumnMask;
+      for (uint32_t k = 1; k <= across; ++k)
+        append(job, tile + k, number);
+      uint32_t row = tile;
+      for (uint32_t rows = more >> kTileColumnBits; rows != 0U; --rows) {
+        row += static_cast<uint32_t>(job.tiles_across);
+        for (uint32_t k = 0; k <= across; ++k)
+          append(job, row + k, number);
       }
     }
   }
 
-  static void append(const TriangleJob& job, const uint32_t (&number)[3][8], size_t i, size_t tile) {
-    EntryBlock* tail = job.tails[tile];
-    if (tail == nullptr || tail->count == EntryBlock::kCapacity) tail = job.sink.extend(job.sink.context, tile);
-    const uint32_t place = tail->count;
-    tail->count = place + 1U;
-    for (size_t c = 0; c < 3; ++c)
-      tail->corner[c][place] = number[c][i];
+  static void append(const TriangleJob& job, size_t tile, uint32_t number) {
+    uint32_t* tail = job.tails[tile];
+    if (reinterpret_cast<uintptr_t>(tail) % sizeof(EntryBlock) == 0) tail = job.sink.extend(job.sink.context, tile);
+    *tail = number;
+    job.tails[tile] = tail + 1;
   }
 
   // The least of the low halves and the greatest of the high halves.
@@ -147,6 +168,7 @@ struct TriangleStage {
     state.least_rows = L::set(0x7FFF);
     state.greatest_columns = L::set(0);
     state.greatest_rows = L::set(0);
+    state.listed = 0;
     const I limit = L::set(static_cast<int32_t>(job.vertex_count ^ 0x80000000U));
     for (size_t first = job.begin; first < job.end; first += 8) {
       const size_t real = job.end - first < 8 ? job.end - first : 8;
@@ -171,7 +193,9 @@ struct TriangleStage {
       }
       state.counts.rejected += real - static_cast<size_t>(__builtin_popcount(wanted));
       if (wanted != 0U) eight(job, index, wanted, first, state);
+      if (state.counts.appended - state.listed >= kWaiting) list(job, state);
     }
+    list(job, state);
     bounds(state.least_columns, state.greatest_columns, state.counts.first_tile_column, state.counts.last_tile_column);
     bounds(state.least_rows, state.greatest_rows, state.counts.first_tile_row, state.counts.last_tile_row);
     return state.counts;
