@@ -74,10 +74,10 @@ class Frame {
   ScreenVertices vertices_;
   std::vector<Piece> vertex_pieces_, pieces_;
   std::vector<Group> groups_;
-  std::vector<uint32_t> work_;              ///< numbers of pieces, groups or tiles that the stage in hand goes through
+  std::vector<uint32_t> work_;      ///< numbers of pieces, groups or tiles that the stage in hand goes through
   std::vector<EntryBlock*> heads_;  ///< one a tile for each group
   std::vector<uint32_t*> tails_;    ///< theirs
-  std::vector<Bins> bins_;                  ///< one a group
+  std::vector<Bins> bins_;          ///< one a group
   std::vector<const GeneralTriangle*> general_;
   std::vector<const TexturedTriangle*> textured_;
   std::vector<const SmallTriangle*> small_;

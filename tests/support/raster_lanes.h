@@ -14,8 +14,7 @@ struct LaneInput {
   float a[8], b[8], c[8];    ///< any bits
   float whole[8];            ///< of a size that truncate and round take
   int32_t x[8], y[8], z[8];  ///< any bits
-  int16_t p[32], q[32];
-  uint32_t number[8];  ///< below 16
+  uint32_t number[8];        ///< below 16
   float table[16 * 9 + 8];
 };
 
@@ -40,7 +39,6 @@ template <class L>
 struct LaneOperations {
   using F = typename L::F;
   using I = typename L::I;
-  using Q = typename L::Q;
 
   LaneResults& out;
 
@@ -54,15 +52,6 @@ struct LaneOperations {
     L::store(next(operation, kind), L::bits(value));
   }
   void keep(const char* operation, const I& value) { L::store(next(operation, LaneKind::kBits), value); }
-  // Sixteen bits leave Q byte by byte: the upper one, and the lower one when it has been moved up; negative ones when
-  // their sign has been turned round.
-  void keep(const char* operation, const Q& value) {
-    const Q up = value * L::repeat(256);
-    const Q turn = L::repeat(-32768);
-    const Q shown[4] = {value, value + turn, up, up + turn};
-    for (const Q& bits : shown)
-      L::store(next(operation, LaneKind::kBits), L::template bytes<8>(bits));
-  }
   // A mask may be looked into by select and signs only.
   void keep_mask(const char* operation, const I& mask, const LaneInput& in) {
     keep(operation, L::select(mask, L::load(in.x), L::load(in.y)));
@@ -114,6 +103,10 @@ struct LaneOperations {
     keep("min16", L::min16(x, y));
     keep("max16", L::max16(x, y));
     keep("subtract16", L::subtract16(x, y));
+    keep("add16", L::add16(x, y));
+    keep("multiply16", L::multiply16(x, y));
+    keep("shift_right16 1", L::template shift_right16<1>(x));
+    keep("shift_right16 7", L::template shift_right16<7>(x));
     keep("from_bits", L::from_bits(x));
   }
 
@@ -135,21 +128,6 @@ struct LaneOperations {
     keep_mask("mask | mask", L::equal(x, y) | L::sign_mask(z), in);
     keep_mask("mask ^ mask", L::greater(x, y) ^ L::sign_mask(z), in);
     keep_mask("mask and_not mask", L::and_not(L::sign_mask(z), L::greater(a, b)), in);
-  }
-
-  void quads(const LaneInput& in) {
-    const Q p = L::load_quads(in.p);
-    const Q q = L::load_quads(in.q);
-    keep("load_quads", p);
-    keep("quads", L::quads(in.q));
-    keep("repeat", L::repeat(in.q[0]));
-    keep("Q + Q", p + q);
-    keep("Q * Q", p * q);
-    keep("min Q", L::min(p, q));
-    keep("max Q", L::max(p, q));
-    keep("bytes 1", L::template bytes<1>(p));
-    keep("bytes 6", L::template bytes<6>(p));
-    keep("bytes 7", L::template bytes<7>(p));
   }
 
   void memory(const LaneInput& in) {
@@ -179,6 +157,22 @@ struct LaneOperations {
     keep("gather_quads", f1);
     keep("gather_quads", f2);
     keep("gather_quads", f3);
+    I i0, i1, i2, i3;
+    uint32_t numbers[64];
+    for (size_t i = 0; i < 64; ++i)
+      numbers[i] = in.number[i % 8] * 24U + static_cast<uint32_t>(i);
+    L::gather_quads(numbers, in.number, i0, i1, i2, i3);
+    keep("gather_quads I", i0);
+    keep("gather_quads I", i1);
+    keep("gather_quads I", i2);
+    keep("gather_quads I", i3);
+    const auto kept = static_cast<uint32_t>(in.z[0]) & 0xFFU;
+    uint32_t stored[32];
+    L::store_kept(stored, kept, i0, i1, i2, i3);
+    for (size_t i = 4 * static_cast<size_t>(__builtin_popcount(kept)); i < 32; ++i)
+      stored[i] = 0;
+    for (size_t i = 0; i < 32; i += 8)
+      keep("store_kept", L::load(stored + i));
     L::gather_pairs(in.table, in.number, 9, f0, f1);
     keep("gather_pairs", f0);
     keep("gather_pairs", f1);
@@ -186,10 +180,6 @@ struct LaneOperations {
     keep("load_triples", f0);
     keep("load_triples", f1);
     keep("load_triples", f2);
-    I i0, i1, i2;
-    uint32_t numbers[24];
-    for (size_t i = 0; i < 24; ++i)
-      numbers[i] = in.number[i % 8] * 24U + static_cast<uint32_t>(i);
     L::load_triples(numbers, i0, i1, i2);
     keep("load_triples I", i0);
     keep("load_triples I", i1);
@@ -198,9 +188,6 @@ struct LaneOperations {
     L::scatter_pairs(scattered, a, b);
     for (size_t i = 0; i < 16; i += 8)
       keep("scatter_pairs", L::load(scattered + i));
-    int16_t halves[32];
-    L::scatter_pairs(halves, L::load(in.x), L::load(in.y));
-    keep("scatter_pairs int16_t", L::load_quads(halves));
     L::scatter_quads(scattered, a, b, L::load(in.c), f0);
     for (size_t i = 0; i < 32; i += 8)
       keep("scatter_quads", L::load(scattered + i));
@@ -219,7 +206,6 @@ void do_lane_operations(const LaneInput& in, LaneResults& out) {
   LaneOperations<L> operations{out};
   operations.arithmetic(in);
   operations.masks(in);
-  operations.quads(in);
   operations.memory(in);
 }
 

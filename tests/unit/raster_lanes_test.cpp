@@ -70,10 +70,6 @@ LaneInput any_input(Random& random) {
     in.z[i] = any_integer(random);
     in.number[i] = static_cast<uint32_t>(random.between(0, 15));
   }
-  for (int16_t& half : in.p)
-    half = static_cast<int16_t>(any_integer(random));
-  for (int16_t& half : in.q)
-    half = static_cast<int16_t>(any_integer(random));
   for (float& entry : in.table)
     entry = any_float(random);
   return in;

@@ -9,12 +9,12 @@ namespace auslan::raster {
 
 /// How eight lanes lie on the screen.
 template <bool kTall>
-struct BlockShape {
+struct alignas(32) BlockShape {
   static constexpr int32_t kWidth = kTall ? 4 : 8;
   static constexpr int32_t kHeight = kTall ? 2 : 1;
   uint32_t lanes[8] = {};  ///< i and j of each lane as SmallGroup::ab has a and b
   float across[8] = {}, down[8] = {};
-  int16_t colour_across[32] = {}, colour_down[32] = {};  ///< the same, four times
+  uint32_t both_across[8] = {}, both_down[8] = {};  ///< i, and j, in both halves
 
   static constexpr BlockShape make() {
     BlockShape t;
@@ -24,220 +24,316 @@ struct BlockShape {
       t.lanes[lane] = i | j << 16U;
       t.across[lane] = static_cast<float>(i);
       t.down[lane] = static_cast<float>(j);
-      for (uint32_t c = 0; c < 4; ++c) {
-        t.colour_across[4 * lane + c] = static_cast<int16_t>(i);
-        t.colour_down[4 * lane + c] = static_cast<int16_t>(j);
-      }
+      t.both_across[lane] = i | i << 16U;
+      t.both_down[lane] = j | j << 16U;
     }
     return t;
   }
+  static const BlockShape kShape;
 };
+template <bool kTall>
+inline constexpr BlockShape<kTall> BlockShape<kTall>::kShape = make();
 
 template <class L, size_t kSamples>
 struct FillSmall {
   using F = typename L::F;
   using I = typename L::I;
-  using Q = typename L::Q;
   using Group = SmallGroup<kSamples>;
   static constexpr size_t kRowWords = size_t{kTileStride} * kSamples;
 
-  // Where a column starts, from the triangle's corner.
-  struct Corner {
-    static constexpr bool kElsewhere = false;
-    static constexpr int32_t column = 0, row = 0;
+  // Fixed-point colours of eight pixels, as SmallGroup has them.
+  struct Colours {
+    I blue_red, green;
+    friend Colours operator+(const Colours& a, const Colours& b) {
+      return {L::add16(a.blue_red, b.blue_red), L::add16(a.green, b.green)};
+    }
+    friend Colours operator*(const Colours& a, I halves) {
+      return {L::multiply16(a.blue_red, halves), L::multiply16(a.green, halves)};
+    }
   };
-  struct Place {
-    static constexpr bool kElsewhere = true;
-    int32_t column, row;
-  };
+  static Colours spread(const typename Group::Colours& colours, size_t k) {
+    return {L::spread(&colours.blue_red[k]), L::spread(&colours.green[k])};
+  }
+  static bool is_gouraud(const Group& g, size_t k) { return (g.word[k] & kGouraudColour) != 0U; }
+  static Colours flat_colours(uint32_t word) {
+    const auto fixed = [](uint32_t level) {
+      return static_cast<uint32_t>(static_cast<int32_t>(level << kLevelBits) - Group::kLess) & 0xFFFFU;
+    };
+    // Red has the bit above it too: kStandInColour is to come out as it is.
+    return {L::set(static_cast<int32_t>(fixed(word & 0xFFU) | fixed(word >> 16U & 0x1FFU) << 16U)),
+            L::set(static_cast<int32_t>(fixed(word >> 8U & 0xFFU) << Group::kGreenShift))};
+  }
 
-  // A column of blocks of one triangle, and where in it we are.
-  template <bool kTall>
-  struct Column {
-    using Shape = BlockShape<kTall>;
-    alignas(32) static constexpr Shape kShape = Shape::make();
+  // What is wanted of a triangle with several samples: within what its colours are held, and where its samples lie. For
+  // one block the latter are spread when they are asked for, for many once.
+  template <bool kMany>
+  struct Samples {
     const Group& g;
     const size_t k;
-    I edge[3], edge_down[3];
-    F origin, depth_down, down, depth_across;
-    Q colour, colour_down, colour_least, colour_greatest;
+    Colours least, greatest;
+    I kept_below[kMany ? kSamples : 1][3];
+    F kept_depth[kMany ? kSamples : 1];
+
+    Samples(const Group& group, size_t lane, const Colours& flat) : g(group), k(lane), least(flat), greatest(flat) {
+      if constexpr (kSamples > 1) {
+        if (is_gouraud(g, k)) {
+          least = spread(g.colour_least, k);
+          greatest = spread(g.colour_greatest, k);
+        }
+        for (size_t s = 0; kMany && s < kSamples; ++s) {
+          for (size_t e = 0; e < 3; ++e)
+            kept_below[s][e] = L::spread(&g.below[s][e][k]);
+          kept_depth[s] = L::spread(&g.sample_depth[s][k]);
+        }
+      }
+    }
+    I below(size_t s, size_t e) const {
+      if constexpr (kMany) return kept_below[s][e];
+      return L::spread(&g.below[s][e][k]);
+    }
+    F depth(size_t s) const {
+      if constexpr (kMany) return kept_depth[s];
+      return L::spread(&g.sample_depth[s][k]);
+    }
+  };
+
+  // Eight pixels: the place, and what changes from block to block of a triangle.
+  struct Block {
+    I edge[3];
+    Colours colour;
     float* depths;
     uint32_t* pixels;
 
-    // `from`: of its first block from the triangle's corner.
-    template <class Start>
-    Column(const TileBuffers& buffers, const Group& group, size_t lane, const Start& from)
-        : g(group), k(lane) {
-      I lanes = L::load(kShape.lanes);
-      down = L::spread(&g.down[k]) + L::load(kShape.down);
-      F across = L::spread(&g.across[k]) + L::load(kShape.across);
-      if constexpr (Start::kElsewhere) {
-        lanes = lanes + L::set(from.column | from.row << 16);
-        down = down + L::set(static_cast<float>(from.row));
-        across = across + L::set(static_cast<float>(from.column));
-      }
-      for (size_t e = 0; e < 3; ++e) {
-        const I ab = L::spread(&g.ab[e][k]);
-        edge[e] = L::spread(&g.start[e][k]) + L::dot(ab, lanes);
-        edge_down[e] = L::dot(ab, L::set(Shape::kHeight << 16));
-      }
-      origin = L::spread(&g.depth[k]);
-      depth_down = L::spread(&g.depth_y[k]);
-      depth_across = across * L::spread(&g.depth_x[k]);
-      if ((g.word[k] & kGouraudColour) == 0U) {
-        set_flat(g.word[k]);
-      } else {
-        set_colours(from);
-      }
-      const ptrdiff_t place =
-          ptrdiff_t{g.row[k] + from.row} * static_cast<ptrdiff_t>(kRowWords) + g.column[k] + from.column;
-      depths = buffers.depth + place;
-      pixels = buffers.colour + place;
-    }
-
-    template <class Start>
-    void set_colours(const Start& from) {
-      colour_down = L::quads(g.colour_y[k]);
-      const Q colour_across = L::quads(g.colour_x[k]);
-      colour = L::quads(g.colour[k]) + colour_across * L::load_quads(kShape.colour_across);
-      if constexpr (kTall) {
-        colour = colour + colour_down * L::load_quads(kShape.colour_down);
-      }
-      if constexpr (Start::kElsewhere) {
-        colour = (colour + colour_across * L::repeat(static_cast<int16_t>(from.column))) +
-                 colour_down * L::repeat(static_cast<int16_t>(from.row));
-      }
-      if constexpr (kTall) colour_down = colour_down + colour_down;
-      if constexpr (kSamples > 1) {
-        colour_least = L::quads(g.colour_least[k]);
-        colour_greatest = L::quads(g.colour_greatest[k]);
-      }
-    }
-
-    void set_flat(uint32_t word) {
-      int16_t level[4];
-      for (uint32_t c = 0; c < 4; ++c)
-        level[c] = static_cast<int16_t>(static_cast<int32_t>((word >> 8 * c & 0xFFU) << kLevelBits) - Group::kLess);
-      colour = L::quads(level);
-      colour_down = L::repeat(0);
-      colour_least = colour;
-      colour_greatest = colour;
-    }
-
-    void next() {
+    void move(const I (&edge_step)[3], const Colours& colour_step, size_t words) {
       for (size_t e = 0; e < 3; ++e)
-        edge[e] = edge[e] + edge_down[e];
-      down = down + L::set(static_cast<float>(Shape::kHeight));
-      colour = colour + colour_down;
-      depths += Shape::kHeight * kRowWords;
-      pixels += Shape::kHeight * kRowWords;
+        edge[e] = edge[e] + edge_step[e];
+      colour = colour + colour_step;
+      depths += words;
+      pixels += words;
     }
-
-    template <class T>
-    static auto load(const T* p) {
-      if constexpr (kTall) {
-        return L::load_2x4(p, kRowWords);
-      } else {
-        return L::load(p);
-      }
-    }
-    template <class T, class V>
-    static void store(T* p, const V& v) {
-      if constexpr (kTall) {
-        L::store_2x4(p, kRowWords, v);
-      } else {
-        L::store(p, v);
-      }
-    }
-
-    I shade() const {
-      if constexpr (kSamples == 1) return L::template bytes<kLevelBits>(colour);
-      return L::template bytes<kLevelBits>(L::min(L::max(colour, colour_least), colour_greatest) +
-                                           L::repeat(static_cast<int16_t>(Group::kLess)));
-    }
-
-    void fill() const {
-      const F z = (origin + down * depth_down) + depth_across;
-      if constexpr (kSamples == 1) {
-        F stored = load(depths);
-        const I visible = L::keep_greater(edge[0] | edge[1] | edge[2], z, stored);
-        store(depths, stored);
-        store(pixels, L::select(visible, shade(), load(pixels)));
-      } else {
-        fill_samples(z);
-      }
-    }
-
-    // The samples of eight pixels of which at least one can have one inside.
-    void fill_samples(F centre_depth) const {
-      const I colour_here = shade();
-      for (size_t s = 0; s < kSamples; ++s) {
-        const I outside = (edge[0] + L::spread(&g.below[s][0][k])) | (edge[1] + L::spread(&g.below[s][1][k])) |
-                          (edge[2] + L::spread(&g.below[s][2][k]));
-        const F z = centre_depth + L::spread(&g.sample_depth[s][k]);
-        float* sample_depth = depths + s * kTileStride;
-        F stored = load(sample_depth);
-        const I visible = L::keep_greater(outside, z, stored);
-        store(sample_depth, stored);
-        uint32_t* sample_pixels = pixels + s * kTileStride;
-        store(sample_pixels, L::select(visible, colour_here, load(sample_pixels)));
-      }
-    }
-
-    void run(int32_t rows) {
-      for (;;) {
-        fill();
-        rows -= Shape::kHeight;
-        if (rows <= 0) return;
-        next();
-      }
+    template <bool kMany>
+    I shade(const Samples<kMany>& samples) const {
+      const I byte = L::set(0xFF00);
+      if constexpr (kSamples == 1)
+        return L::template shift_right16<kLevelBits>(colour.blue_red) | (colour.green & byte);
+      const I less = L::set(Group::kLess | Group::kLess << 16);
+      const auto held = [less](I value, I least, I greatest) {
+        return L::add16(L::min16(L::max16(value, least), greatest), less);
+      };
+      const I green = held(colour.green, samples.least.green, samples.greatest.green);
+      return L::template shift_right16<kLevelBits>(
+                 held(colour.blue_red, samples.least.blue_red, samples.greatest.blue_red)) |
+             (L::template shift_left<8 - kLevelBits>(green) & byte);
     }
   };
 
-  static void run(const TileBuffers& buffers, const Group& g, size_t k) {
-    const int32_t width = g.width[k];
-    const int32_t height = g.height[k];
-    if (width <= 4) return Column<true>(buffers, g, k, Corner{}).run(height);
-    if (width <= 8) return Column<false>(buffers, g, k, Corner{}).run(height);
-    fill_wide(buffers, g, k);
+  template <bool kTall, class T>
+  static auto load(const T* p) {
+    if constexpr (kTall) {
+      return L::load_2x4(p, kRowWords);
+    } else {
+      return L::load(p);
+    }
   }
+  template <bool kTall, class T, class V>
+  static void store(T* p, const V& v) {
+    if constexpr (kTall) {
+      L::store_2x4(p, kRowWords, v);
+    } else {
+      L::store(p, v);
+    }
+  }
+
+  // `depth`: at the pixels' centres.
+  template <bool kTall>
+  static void fill(const Block& block, F depth, const Samples<!kTall>& samples) {
+    const I colour = block.shade(samples);
+    if constexpr (kSamples == 1) {
+      F stored = load<kTall>(block.depths);
+      const I visible = L::keep_greater(block.edge[0] | block.edge[1] | block.edge[2], depth, stored);
+      store<kTall>(block.depths, stored);
+      store<kTall>(block.pixels, L::select(visible, colour, load<kTall>(block.pixels)));
+      return;
+    }
+    // At least one of them can have a sample inside.
+    for (size_t s = 0; s < kSamples; ++s) {
+      const I outside = (block.edge[0] + samples.below(s, 0)) | (block.edge[1] + samples.below(s, 1)) |
+                        (block.edge[2] + samples.below(s, 2));
+      float* depths = block.depths + s * kTileStride;
+      F stored = load<kTall>(depths);
+      const I visible = L::keep_greater(outside, depth + samples.depth(s), stored);
+      store<kTall>(depths, stored);
+      uint32_t* pixels = block.pixels + s * kTileStride;
+      store<kTall>(pixels, L::select(visible, colour, load<kTall>(pixels)));
+    }
+  }
+
+  // The block at the triangle's corner.
+  template <bool kTall>
+  static Block first_block(const TileBuffers& buffers, const Group& g, size_t k) {
+    using Shape = BlockShape<kTall>;
+    const I lanes = L::load(Shape::kShape.lanes);
+    Block block;
+    for (size_t e = 0; e < 3; ++e)
+      block.edge[e] = L::spread(&g.start[e][k]) + L::dot(L::spread(&g.ab[e][k]), lanes);
+    if (is_gouraud(g, k)) {
+      block.colour = spread(g.colour, k) + spread(g.colour_x, k) * L::load(Shape::kShape.both_across);
+      if constexpr (kTall) block.colour = block.colour + spread(g.colour_y, k) * L::load(Shape::kShape.both_down);
+    } else {
+      block.colour = flat_colours(g.word[k]);
+    }
+    block.depths = buffers.depth + g.place[k];
+    block.pixels = buffers.colour + g.place[k];
+    return block;
+  }
+  template <int32_t kRows>
+  static void steps_down(const Group& g, size_t k, I (&edge)[3], Colours& colour) {
+    for (size_t e = 0; e < 3; ++e)
+      edge[e] = L::dot(L::spread(&g.ab[e][k]), L::set(kRows << 16));
+    colour = Colours{L::set(0), L::set(0)};
+    if (!is_gouraud(g, k)) return;
+    colour = spread(g.colour_y, k);
+    if constexpr (kRows == 2) colour = colour + colour;
+  }
+
+  // Up to four pixels wide: blocks of 4 x 2.
+  static void fill_narrow(const TileBuffers& buffers, const Group& g, size_t k) {
+    using Shape = BlockShape<true>;
+    Block block = first_block<true>(buffers, g, k);
+    const Samples<false> samples(g, k, block.colour);
+    const F origin = L::spread(&g.depth[k]);
+    const F depth_down = L::spread(&g.depth_y[k]);
+    const F depth_across = (L::spread(&g.across[k]) + L::load(Shape::kShape.across)) * L::spread(&g.depth_x[k]);
+    F down = L::spread(&g.down[k]) + L::load(Shape::kShape.down);
+    fill<true>(block, (origin + down * depth_down) + depth_across, samples);
+    int32_t rows = g.height[k] - 2;
+    if (rows <= 0) return;
+    I edge_down[3];
+    Colours colour_down;
+    steps_down<2>(g, k, edge_down, colour_down);
+    for (; rows > 0; rows -= 2) {
+      block.move(edge_down, colour_down, 2 * kRowWords);
+      down = down + L::set(2.0F);
+      fill<true>(block, (origin + down * depth_down) + depth_across, samples);
+    }
+  }
+
+  // Wider ones: rows of 8 that stand below each other in columns.
+  struct RowDepths {
+    alignas(32) float depth[kTileHeight + 8];  ///< of each row, at the anchor's column
+    RowDepths(const Group& g, size_t k) {
+      static constexpr float kNumbers[8] = {0, 1, 2, 3, 4, 5, 6, 7};
+      const F origin = L::spread(&g.depth[k]);
+      const F depth_down = L::spread(&g.depth_y[k]);
+      F down = L::spread(&g.down[k]) + L::load(kNumbers);
+      for (int32_t row = 0; row < g.height[k]; row += 8) {
+        L::store(depth + row, origin + down * depth_down);
+        down = down + L::set(8.0F);
+      }
+    }
+  };
+  static F depth_across(const Group& g, size_t k) {
+    return L::spread(&g.across[k]) + L::load(BlockShape<false>::kShape.across);
+  }
+
+  struct Steps {
+    const I (&edge)[3];
+    const Colours& colour;
+  };
+  // With registers enough, two rows at a time: below the triangle's last one the edges shut everything out.
+  static void fill_rows(Block block, const float* depth, int32_t rows, F across, const Steps& step,
+                        const Samples<true>& samples) {
+    constexpr ptrdiff_t kAtOnce = kSamples == 1 ? L::kRowsAtOnce : 1;
+    for (const float* end = depth + rows;;) {
+      fill<false>(block, L::spread(depth) + across, samples);
+      if constexpr (kAtOnce == 2) {
+        block.move(step.edge, step.colour, kRowWords);
+        fill<false>(block, L::spread(depth + 1) + across, samples);
+      }
+      depth += kAtOnce;
+      if (depth >= end) return;
+      block.move(step.edge, step.colour, kRowWords);
+    }
+  }
+
+  [[gnu::noinline]] static void fill_medium(const TileBuffers& buffers, const Group& g, size_t k) {
+    Block block = first_block<false>(buffers, g, k);
+    const Samples<true> samples(g, k, block.colour);
+    const RowDepths row(g, k);
+    const F across = depth_across(g, k) * L::spread(&g.depth_x[k]);
+    I edge_down[3];
+    Colours colour_down;
+    steps_down<1>(g, k, edge_down, colour_down);
+    fill_rows(block, row.depth, g.height[k], across, {edge_down, colour_down}, samples);
+  }
+
+  // Of each column of a wide triangle the rows that may hold something. They follow each other, as each edge shuts out
+  // what lies above or below a row. Found by division: a row too many on either side costs a little time and no more.
+  struct ColumnRows {
+    alignas(32) int32_t first[8], count[8];
+    ColumnRows(const Group& g, size_t k) {
+      static constexpr uint32_t kColumns[8] = {0, 8, 16, 24, 32, 40, 48, 56};
+      const I columns = L::load(kColumns);
+      const F zero = L::set(0.0F);
+      const F bottom = L::set(static_cast<float>(g.height[k] - 1));
+      F least = zero;
+      F greatest = bottom;
+      for (size_t e = 0; e < 3; ++e) {
+        // The edge is highest at the last pixel of a row where a is positive. Between whole numbers above and below
+        // zero lies none.
+        const I ab = L::spread(&g.ab[e][k]);
+        const I highest =
+            L::spread(&g.start[e][k]) + (L::dot(ab, columns) + L::dot(L::max16(ab, L::set(0)), L::set(7)));
+        const F b = L::to_float(L::template shift_right<16>(ab));
+        const F crossing = (L::to_float(highest) + L::set(0.5F)) / (zero - b);
+        const I rises = L::greater(b, zero);
+        least = L::max(least, L::select(rises, crossing, zero));
+        greatest = L::min(greatest, L::select(rises, bottom, crossing));
+      }
+      const F slack = L::set(1.0F / 64.0F);
+      const I first_row = L::truncate(L::min(least, bottom + L::set(1.0F)) + (L::set(1.0F) - slack));
+      const I last_row = L::truncate(L::max(greatest, L::set(-2.0F)) + slack);
+      L::store(first, first_row);
+      L::store(count, (last_row - first_row) + L::set(1));
+    }
+  };
 
   [[gnu::noinline]] static void fill_wide(const TileBuffers& buffers, const Group& g, size_t k) {
-    const int32_t width = g.width[k];
-    const int32_t height = g.height[k];
-    int32_t column = 0;
-    for (; column + 4 < width; column += 8)
-      fill_column<false>(buffers, g, k, column, height);
-    if (column < width) fill_column<true>(buffers, g, k, column, height);
+    const Block corner = first_block<false>(buffers, g, k);
+    const Samples<true> samples(g, k, corner.colour);
+    const RowDepths row(g, k);
+    const ColumnRows rows(g, k);
+    const F depth_x = L::spread(&g.depth_x[k]);
+    F across = depth_across(g, k);
+    I edge_down[3];
+    Colours colour_down;
+    steps_down<1>(g, k, edge_down, colour_down);
+    Colours colour_across{L::set(0), L::set(0)};
+    if (is_gouraud(g, k)) colour_across = spread(g.colour_x, k);
+    const size_t columns = static_cast<size_t>(g.width[k] + 7) / 8;
+    for (size_t c = 0; c < columns; ++c, across = across + L::set(8.0F)) {
+      if (rows.count[c] <= 0) continue;
+      const int32_t column = static_cast<int32_t>(c) * 8;
+      const int32_t first = rows.first[c];
+      Block block = corner;
+      const I from_corner = L::set(column | first << 16);
+      for (size_t e = 0; e < 3; ++e)
+        block.edge[e] = block.edge[e] + L::dot(L::spread(&g.ab[e][k]), from_corner);
+      block.colour =
+          (block.colour + colour_across * L::set(column | column << 16)) + colour_down * L::set(first | first << 16);
+      const size_t place = static_cast<size_t>(first) * kRowWords + static_cast<size_t>(column);
+      block.depths += place;
+      block.pixels += place;
+      const F depth_here = across * depth_x;
+      fill_rows(block, row.depth + first, rows.count[c], depth_here, {edge_down, colour_down}, samples);
+    }
   }
 
-  // Of a column of a wide triangle only the rows that hold something. They follow each other, as each edge shuts out
-  // what lies above or below a row.
-  template <bool kTall>
-  static void fill_column(const TileBuffers& buffers, const Group& g, size_t k, int32_t column,
-                          int32_t height) {
-    I highest[3], eight_down[3];
-    static constexpr uint32_t kRows[8] = {0,         1U << 16U, 2U << 16U, 3U << 16U,
-                                          4U << 16U, 5U << 16U, 6U << 16U, 7U << 16U};
-    const I place = L::load(kRows) + L::set(column);
-    for (size_t e = 0; e < 3; ++e) {
-      // The edge is highest at the last pixel of a row where a is positive.
-      const I ab = L::spread(&g.ab[e][k]);
-      highest[e] = L::spread(&g.start[e][k]) + L::dot(ab, place) +
-                   L::dot(L::max16(ab, L::set(0)), L::set(BlockShape<kTall>::kWidth - 1));
-      eight_down[e] = L::dot(ab, L::set(8 << 16));
-    }
-    uint64_t touched = 0;
-    for (int32_t row = 0; row < height; row += 8) {
-      touched |= uint64_t{~L::signs(highest[0] | highest[1] | highest[2]) & 0xFFU} << static_cast<uint32_t>(row);
-      for (size_t e = 0; e < 3; ++e)
-        highest[e] = highest[e] + eight_down[e];
-    }
-    touched &= ~uint64_t{0} >> static_cast<uint32_t>(64 - height);
-    if (touched == 0U) return;
-    const int32_t first = __builtin_ctzll(touched);
-    const int32_t last = 63 - __builtin_clzll(touched);
-    Column<kTall>(buffers, g, k, Place{column, first}).run(last - first + 1);
+  static void run(const TileBuffers& buffers, const Group& g, size_t k) {
+    const int32_t width = g.width[k];
+    if (width <= 4) return fill_narrow(buffers, g, k);
+    if (width <= 8) return fill_medium(buffers, g, k);
+    fill_wide(buffers, g, k);
   }
 };
 

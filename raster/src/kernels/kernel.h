@@ -212,8 +212,8 @@ struct TileJob {
   int x, y;           ///< top-left pixel
   int width, height;  ///< of the part that lies in the frame
   uint32_t background;
-  EntryBlock* const* lists;  ///< in drawing order; list_stride pointers from one to the next
-  uint32_t* const* tails;    ///< of the lists
+  EntryBlock* const* lists;           ///< in drawing order; list_stride pointers from one to the next
+  uint32_t* const* tails;             ///< of the lists
   const SmallTriangle* const* small;  ///< one array a list
   size_t list_stride, list_count;
   const ScreenPoint* points;

@@ -9,6 +9,7 @@
 namespace auslan::raster {
 
 struct Avx2 {
+  static constexpr int kRowsAtOnce = 2;
   struct F {
     __m256 v;
     friend F operator+(F a, F b) { return {_mm256_add_ps(a.v, b.v)}; }
@@ -24,12 +25,6 @@ struct Avx2 {
     friend I operator|(I a, I b) { return {_mm256_or_si256(a.v, b.v)}; }
     friend I operator^(I a, I b) { return {_mm256_xor_si256(a.v, b.v)}; }
   };
-  struct Q {
-    __m256i l, h;
-    friend Q operator+(Q a, Q b) { return {_mm256_add_epi16(a.l, b.l), _mm256_add_epi16(a.h, b.h)}; }
-    friend Q operator*(Q a, Q b) { return {_mm256_mullo_epi16(a.l, b.l), _mm256_mullo_epi16(a.h, b.h)}; }
-  };
-
   static F set(float x) { return {_mm256_set1_ps(x)}; }
   static I set(int32_t x) { return {_mm256_set1_epi32(x)}; }
   // As floats: a load that broadcasts, where an integer would go through a general register.
@@ -87,6 +82,12 @@ struct Avx2 {
   static I dot(I a, I b) { return {_mm256_madd_epi16(a.v, b.v)}; }
   static I min16(I a, I b) { return {_mm256_min_epi16(a.v, b.v)}; }
   static I max16(I a, I b) { return {_mm256_max_epi16(a.v, b.v)}; }
+  static I add16(I a, I b) { return {_mm256_add_epi16(a.v, b.v)}; }
+  static I multiply16(I a, I b) { return {_mm256_mullo_epi16(a.v, b.v)}; }
+  template <int kBits>
+  static I shift_right16(I a) {
+    return {_mm256_srli_epi16(a.v, kBits)};
+  }
   static I subtract16(I a, I b) { return {_mm256_sub_epi16(a.v, b.v)}; }
 
   static I keep_greater(I outside, F z, F& stored) {
@@ -112,27 +113,6 @@ struct Avx2 {
     _mm_storeu_si128(reinterpret_cast<__m128i*>(p + stride), _mm256_extracti128_si256(a.v, 1));
   }
 
-  static Q quads(const int16_t* p) {
-    const __m256i four = _mm256_broadcastq_epi64(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(p)));
-    return {four, four};
-  }
-  static Q repeat(int16_t x) {
-    const __m256i all = _mm256_set1_epi16(x);
-    return {all, all};
-  }
-  static Q load_quads(const int16_t* p) {
-    return {_mm256_loadu_si256(reinterpret_cast<const __m256i*>(p)),
-            _mm256_loadu_si256(reinterpret_cast<const __m256i*>(p + 16))};
-  }
-  static Q min(Q a, Q b) { return {_mm256_min_epi16(a.l, b.l), _mm256_min_epi16(a.h, b.h)}; }
-  static Q max(Q a, Q b) { return {_mm256_max_epi16(a.l, b.l), _mm256_max_epi16(a.h, b.h)}; }
-  template <int kBits>
-  static I bytes(Q a) {
-    // Packing works within halves: lanes 0 1 4 5 | 2 3 6 7.
-    const __m256i packed = _mm256_packus_epi16(_mm256_srai_epi16(a.l, kBits), _mm256_srai_epi16(a.h, kBits));
-    return {_mm256_permute4x64_epi64(packed, 0xD8)};
-  }
-
   // In each half: the 4x4 transpose of four rows.
   static void transpose(__m256 r0, __m256 r1, __m256 r2, __m256 r3, F& a, F& b, F& c, F& d) {
     const __m256 t0 = _mm256_unpacklo_ps(r0, r1);
@@ -147,7 +127,12 @@ struct Avx2 {
   static __m256 two_quads(const float* low, const float* high) {
     return _mm256_insertf128_ps(_mm256_castps128_ps256(_mm_loadu_ps(low)), _mm_loadu_ps(high), 1);
   }
+  // Keeps g++ from taking numbers that were just stored out of their register one by one, which costs more than loads.
+  static void from_memory(const uint32_t*& number) {
+    asm("" : "+r"(number) : "m"(*reinterpret_cast<const uint32_t(*)[8]>(number)));
+  }
   static void gather_quads(const float* base, const uint32_t* number, size_t stride, F& a, F& b, F& c, F& d) {
+    from_memory(number);
     const auto row = [=](size_t i) {
       return two_quads(base + size_t{number[i]} * stride, base + size_t{number[i + 4]} * stride);
     };
@@ -162,6 +147,7 @@ struct Avx2 {
     d = bits(f[3]);
   }
   static void gather_pairs(const float* base, const uint32_t* number, size_t stride, F& a, F& b) {
+    from_memory(number);
     const auto two = [=](size_t i, size_t j) {
       const __m128d low = _mm_load_sd(reinterpret_cast<const double*>(base + size_t{number[i]} * stride));
       return _mm_castpd_ps(_mm_loadh_pd(low, reinterpret_cast<const double*>(base + size_t{number[j]} * stride)));
@@ -176,12 +162,6 @@ struct Avx2 {
     const __m256 high = _mm256_unpackhi_ps(a.v, b.v);  // pairs 2 3 | 6 7
     _mm256_storeu_ps(out, _mm256_permute2f128_ps(low, high, 0x20));
     _mm256_storeu_ps(out + 8, _mm256_permute2f128_ps(low, high, 0x31));
-  }
-  static void scatter_pairs(int16_t* out, I a, I b) {
-    const __m256i low = _mm256_unpacklo_epi32(a.v, b.v);
-    const __m256i high = _mm256_unpackhi_epi32(a.v, b.v);
-    _mm256_storeu_si256(reinterpret_cast<__m256i*>(out), _mm256_permute2x128_si256(low, high, 0x20));
-    _mm256_storeu_si256(reinterpret_cast<__m256i*>(out + 16), _mm256_permute2x128_si256(low, high, 0x31));
   }
   static void scatter_quads(float* out, F a, F b, F c, F d) {
     F r0, r1, r2, r3;

@@ -9,6 +9,7 @@
 namespace auslan::raster {
 
 struct Neon {
+  static constexpr int kRowsAtOnce = 2;
   struct F {
     float32x4_t l, h;
     friend F operator+(F a, F b) { return {vaddq_f32(a.l, b.l), vaddq_f32(a.h, b.h)}; }
@@ -24,18 +25,6 @@ struct Neon {
     friend I operator|(I a, I b) { return {vorrq_s32(a.l, b.l), vorrq_s32(a.h, b.h)}; }
     friend I operator^(I a, I b) { return {veorq_s32(a.l, b.l), veorq_s32(a.h, b.h)}; }
   };
-  struct Q {
-    int16x8_t v[4];
-    friend Q operator+(const Q& a, const Q& b) {
-      return {
-          {vaddq_s16(a.v[0], b.v[0]), vaddq_s16(a.v[1], b.v[1]), vaddq_s16(a.v[2], b.v[2]), vaddq_s16(a.v[3], b.v[3])}};
-    }
-    friend Q operator*(const Q& a, const Q& b) {
-      return {
-          {vmulq_s16(a.v[0], b.v[0]), vmulq_s16(a.v[1], b.v[1]), vmulq_s16(a.v[2], b.v[2]), vmulq_s16(a.v[3], b.v[3])}};
-    }
-  };
-
   static F set(float x) { return {vdupq_n_f32(x), vdupq_n_f32(x)}; }
   static I set(int32_t x) { return {vdupq_n_s32(x), vdupq_n_s32(x)}; }
   static F spread(const float* p) { return {vld1q_dup_f32(p), vld1q_dup_f32(p)}; }
@@ -101,6 +90,12 @@ struct Neon {
 
   static I min16(I a, I b) { return {halves_min(a.l, b.l), halves_min(a.h, b.h)}; }
   static I max16(I a, I b) { return {halves_max(a.l, b.l), halves_max(a.h, b.h)}; }
+  static I add16(I a, I b) { return {halves_add(a.l, b.l), halves_add(a.h, b.h)}; }
+  static I multiply16(I a, I b) { return {halves_multiply(a.l, b.l), halves_multiply(a.h, b.h)}; }
+  template <int kBits>
+  static I shift_right16(I a) {
+    return {halves_down<kBits>(a.l), halves_down<kBits>(a.h)};
+  }
   static I subtract16(I a, I b) { return {halves_subtract(a.l, b.l), halves_subtract(a.h, b.h)}; }
 
   static I keep_greater(I outside, F z, F& stored) {
@@ -118,35 +113,6 @@ struct Neon {
   static void store_2x4(uint32_t* p, size_t stride, I a) {
     vst1q_u32(p, unsigned_of(a.l));
     vst1q_u32(p + stride, unsigned_of(a.h));
-  }
-
-  static Q quads(const int16_t* p) {
-    const int16x4_t four = vld1_s16(p);
-    const int16x8_t twice = vcombine_s16(four, four);
-    return {{twice, twice, twice, twice}};
-  }
-  static Q repeat(int16_t x) {
-    const int16x8_t all = vdupq_n_s16(x);
-    return {{all, all, all, all}};
-  }
-  static Q load_quads(const int16_t* p) {
-    return {{vld1q_s16(p), vld1q_s16(p + 8), vld1q_s16(p + 16), vld1q_s16(p + 24)}};
-  }
-  static Q min(const Q& a, const Q& b) {
-    return {
-        {vminq_s16(a.v[0], b.v[0]), vminq_s16(a.v[1], b.v[1]), vminq_s16(a.v[2], b.v[2]), vminq_s16(a.v[3], b.v[3])}};
-  }
-  static Q max(const Q& a, const Q& b) {
-    return {
-        {vmaxq_s16(a.v[0], b.v[0]), vmaxq_s16(a.v[1], b.v[1]), vmaxq_s16(a.v[2], b.v[2]), vmaxq_s16(a.v[3], b.v[3])}};
-  }
-  template <int kBits>
-  static I bytes(const Q& a) {
-    const auto packed = [](int16x8_t low, int16x8_t high) {
-      const uint8x16_t both = vcombine_u8(vqmovun_s16(vshrq_n_s16(low, kBits)), vqmovun_s16(vshrq_n_s16(high, kBits)));
-      return vreinterpretq_s32_u8(both);
-    };
-    return {packed(a.v[0], a.v[1]), packed(a.v[2], a.v[3])};
   }
 
   static void gather_quads(const float* base, const uint32_t* number, size_t stride, F& a, F& b, F& c, F& d) {
@@ -176,12 +142,6 @@ struct Neon {
   static void scatter_pairs(float* out, F a, F b) {
     vst2q_f32(out, float32x4x2_t{{a.l, b.l}});
     vst2q_f32(out + 8, float32x4x2_t{{a.h, b.h}});
-  }
-  static void scatter_pairs(int16_t* out, I a, I b) {
-    vst1q_s16(out, vreinterpretq_s16_s32(vzip1q_s32(a.l, b.l)));
-    vst1q_s16(out + 8, vreinterpretq_s16_s32(vzip2q_s32(a.l, b.l)));
-    vst1q_s16(out + 16, vreinterpretq_s16_s32(vzip1q_s32(a.h, b.h)));
-    vst1q_s16(out + 24, vreinterpretq_s16_s32(vzip2q_s32(a.h, b.h)));
   }
   static void scatter_quads(float* out, F a, F b, F c, F d) {
     vst4q_f32(out, float32x4x4_t{{a.l, b.l, c.l, d.l}});
@@ -218,6 +178,16 @@ struct Neon {
   }
   static int32x4_t halves_max(int32x4_t a, int32x4_t b) {
     return vreinterpretq_s32_s16(vmaxq_s16(halves16(a), halves16(b)));
+  }
+  static int32x4_t halves_add(int32x4_t a, int32x4_t b) {
+    return vreinterpretq_s32_s16(vaddq_s16(halves16(a), halves16(b)));
+  }
+  static int32x4_t halves_multiply(int32x4_t a, int32x4_t b) {
+    return vreinterpretq_s32_s16(vmulq_s16(halves16(a), halves16(b)));
+  }
+  template <int kBits>
+  static int32x4_t halves_down(int32x4_t a) {
+    return vreinterpretq_s32_u16(vshrq_n_u16(vreinterpretq_u16_s32(a), kBits));
   }
   static int32x4_t halves_subtract(int32x4_t a, int32x4_t b) {
     return vreinterpretq_s32_s16(vsubq_s16(halves16(a), halves16(b)));

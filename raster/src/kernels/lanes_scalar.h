@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Eight lanes in plain C++: the contract of every lane type, and what the others are measured against.
 //
-// F: eight IEEE single-precision numbers. I: eight 32-bit integers that wrap. Q: eight times four 16-bit integers that
-// wrap.
+// F: eight IEEE single-precision numbers. I: eight 32-bit integers that wrap, or pairs of 16-bit ones.
 // Masks are I too: a comparison gives one, sign_mask makes one of the lanes' signs, &, | and and_not combine them, and
 // only select and signs may look into them (which bits count beside the sign is each type's own affair).
 // No operation is fused or reassociated, so every lane type gives the same bits.
@@ -14,6 +13,8 @@
 namespace auslan::raster {
 
 struct Scalar {
+  /// How many rows of pixels a loop takes at a time: as many as the registers hold.
+  static constexpr int kRowsAtOnce = 1;
   static constexpr size_t kLanes = 8;
   struct F {
     float v[kLanes];
@@ -62,23 +63,6 @@ struct Scalar {
       return map(a, b, [](uint32_t x, uint32_t y) { return x ^ y; });
     }
   };
-  struct Q {
-    uint16_t v[4 * kLanes];
-    template <class Operation>
-    static Q map(const Q& a, const Q& b, Operation operation) {
-      Q r;
-      for (size_t i = 0; i < 4 * kLanes; ++i)
-        r.v[i] = static_cast<uint16_t>(operation(uint32_t{a.v[i]}, uint32_t{b.v[i]}));
-      return r;
-    }
-    friend Q operator+(const Q& a, const Q& b) {
-      return map(a, b, [](uint32_t x, uint32_t y) { return x + y; });
-    }
-    friend Q operator*(const Q& a, const Q& b) {
-      return map(a, b, [](uint32_t x, uint32_t y) { return x * y; });
-    }
-  };
-
   static F set(float x) {
     F r;
     for (float& lane : r.v)
@@ -239,7 +223,7 @@ struct Scalar {
     return I::map(a, b, [](uint32_t x, uint32_t y) { return product(x, y) + product(x >> 16U, y >> 16U); });
   }
 
-  /// The lesser and the greater of signed 16-bit pairs, half by half; the differences, wrapping.
+  /// The lesser and the greater of signed 16-bit pairs, half by half; sums, differences and products, wrapping.
   static I min16(const I& a, const I& b) {
     return I::map(a, b, [](uint32_t x, uint32_t y) {
       return join(signed16(x) < signed16(y) ? x : y, signed16(x >> 16U) < signed16(y >> 16U) ? x >> 16U : y >> 16U);
@@ -250,8 +234,19 @@ struct Scalar {
       return join(signed16(x) > signed16(y) ? x : y, signed16(x >> 16U) > signed16(y >> 16U) ? x >> 16U : y >> 16U);
     });
   }
+  static I add16(const I& a, const I& b) {
+    return I::map(a, b, [](uint32_t x, uint32_t y) { return join(x + y, (x >> 16U) + (y >> 16U)); });
+  }
   static I subtract16(const I& a, const I& b) {
     return I::map(a, b, [](uint32_t x, uint32_t y) { return join(x - y, (x >> 16U) - (y >> 16U)); });
+  }
+  static I multiply16(const I& a, const I& b) {
+    return I::map(a, b, [](uint32_t x, uint32_t y) { return join(x * y, (x >> 16U) * (y >> 16U)); });
+  }
+  /// Both halves as unsigned numbers.
+  template <int kBits>
+  static I shift_right16(const I& a) {
+    return I::map(a, a, [](uint32_t x, uint32_t) { return join((x & 0xFFFFU) >> kBits, x >> (16U + kBits)); });
   }
 
   /// Where the sign of `outside` is clear and z is greater than `stored`, which must not be negative, `stored` becomes
@@ -292,48 +287,6 @@ struct Scalar {
     }
   }
 
-  /// The same four numbers in every lane.
-  static Q quads(const int16_t* p) {
-    Q r;
-    for (size_t i = 0; i < 4 * kLanes; ++i)
-      r.v[i] = static_cast<uint16_t>(p[i % 4]);
-    return r;
-  }
-  /// One number, thirty-two times.
-  static Q repeat(int16_t x) {
-    Q r;
-    for (uint16_t& v : r.v)
-      v = static_cast<uint16_t>(x);
-    return r;
-  }
-  /// Thirty-two numbers, lane by lane.
-  static Q load_quads(const int16_t* p) {
-    Q r;
-    for (size_t i = 0; i < 4 * kLanes; ++i)
-      r.v[i] = static_cast<uint16_t>(p[i]);
-    return r;
-  }
-  static Q min(const Q& a, const Q& b) {
-    return Q::map(a, b, [](uint32_t x, uint32_t y) { return signed16(x) < signed16(y) ? x : y; });
-  }
-  static Q max(const Q& a, const Q& b) {
-    return Q::map(a, b, [](uint32_t x, uint32_t y) { return signed16(x) > signed16(y) ? x : y; });
-  }
-  /// Each lane's four numbers, shifted right (rounding down), held within 0 to 255, as the bytes of a word from the
-  /// lowest up.
-  template <int kBits>
-  static I bytes(const Q& a) {
-    I r;
-    for (size_t i = 0; i < kLanes; ++i) {
-      r.v[i] = 0;
-      for (size_t c = 0; c < 4; ++c) {
-        const int32_t level = signed16(a.v[4 * i + c]) >> kBits;
-        r.v[i] |= static_cast<uint32_t>(level < 0 ? 0 : level > 255 ? 255 : level) << (8 * c);
-      }
-    }
-    return r;
-  }
-
   /// Lane i of a, b, c, d: the four floats at base + number[i] * stride.
   static void gather_quads(const float* base, const uint32_t* number, size_t stride, F& a, F& b, F& c, F& d) {
     for (size_t i = 0; i < kLanes; ++i) {
@@ -366,13 +319,6 @@ struct Scalar {
     for (size_t i = 0; i < kLanes; ++i) {
       out[2 * i] = a.v[i];
       out[2 * i + 1] = b.v[i];
-    }
-  }
-  /// The words of lane i of a, b go to out + 4 * i.
-  static void scatter_pairs(int16_t* out, const I& a, const I& b) {
-    for (size_t i = 0; i < kLanes; ++i) {
-      __builtin_memcpy(out + 4 * i, &a.v[i], sizeof(uint32_t));
-      __builtin_memcpy(out + 4 * i + 2, &b.v[i], sizeof(uint32_t));
     }
   }
   /// Lane i of a, b, c, d goes to out + 4 * i.

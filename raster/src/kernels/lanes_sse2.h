@@ -9,6 +9,7 @@
 namespace auslan::raster {
 
 struct Sse2 {
+  static constexpr int kRowsAtOnce = 1;
   struct F {
     __m128 l, h;
     friend F operator+(F a, F b) { return {_mm_add_ps(a.l, b.l), _mm_add_ps(a.h, b.h)}; }
@@ -24,18 +25,6 @@ struct Sse2 {
     friend I operator|(I a, I b) { return {_mm_or_si128(a.l, b.l), _mm_or_si128(a.h, b.h)}; }
     friend I operator^(I a, I b) { return {_mm_xor_si128(a.l, b.l), _mm_xor_si128(a.h, b.h)}; }
   };
-  struct Q {
-    __m128i v[4];
-    friend Q operator+(const Q& a, const Q& b) {
-      return {{_mm_add_epi16(a.v[0], b.v[0]), _mm_add_epi16(a.v[1], b.v[1]), _mm_add_epi16(a.v[2], b.v[2]),
-               _mm_add_epi16(a.v[3], b.v[3])}};
-    }
-    friend Q operator*(const Q& a, const Q& b) {
-      return {{_mm_mullo_epi16(a.v[0], b.v[0]), _mm_mullo_epi16(a.v[1], b.v[1]), _mm_mullo_epi16(a.v[2], b.v[2]),
-               _mm_mullo_epi16(a.v[3], b.v[3])}};
-    }
-  };
-
   static F set(float x) { return {_mm_set1_ps(x), _mm_set1_ps(x)}; }
   static I set(int32_t x) { return {_mm_set1_epi32(x), _mm_set1_epi32(x)}; }
   static F spread(const float* p) { return set(*p); }
@@ -95,6 +84,12 @@ struct Sse2 {
 
   static I min16(I a, I b) { return {_mm_min_epi16(a.l, b.l), _mm_min_epi16(a.h, b.h)}; }
   static I max16(I a, I b) { return {_mm_max_epi16(a.l, b.l), _mm_max_epi16(a.h, b.h)}; }
+  static I add16(I a, I b) { return {_mm_add_epi16(a.l, b.l), _mm_add_epi16(a.h, b.h)}; }
+  static I multiply16(I a, I b) { return {_mm_mullo_epi16(a.l, b.l), _mm_mullo_epi16(a.h, b.h)}; }
+  template <int kBits>
+  static I shift_right16(I a) {
+    return {_mm_srli_epi16(a.l, kBits), _mm_srli_epi16(a.h, kBits)};
+  }
   static I subtract16(I a, I b) { return {_mm_sub_epi16(a.l, b.l), _mm_sub_epi16(a.h, b.h)}; }
 
   static I keep_greater(I outside, F z, F& stored) {
@@ -116,32 +111,12 @@ struct Sse2 {
     store4(p + stride, a.h);
   }
 
-  static Q quads(const int16_t* p) {
-    const __m128i four = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(p));
-    const __m128i twice = _mm_unpacklo_epi64(four, four);
-    return {{twice, twice, twice, twice}};
+  // Keeps g++ from taking numbers that were just stored out of their register one by one, which costs more than loads.
+  static void from_memory(const uint32_t*& number) {
+    asm("" : "+r"(number) : "m"(*reinterpret_cast<const uint32_t(*)[8]>(number)));
   }
-  static Q repeat(int16_t x) {
-    const __m128i all = _mm_set1_epi16(x);
-    return {{all, all, all, all}};
-  }
-  static Q load_quads(const int16_t* p) { return {{load4(p), load4(p + 8), load4(p + 16), load4(p + 24)}}; }
-  static Q min(const Q& a, const Q& b) {
-    return {{_mm_min_epi16(a.v[0], b.v[0]), _mm_min_epi16(a.v[1], b.v[1]), _mm_min_epi16(a.v[2], b.v[2]),
-             _mm_min_epi16(a.v[3], b.v[3])}};
-  }
-  static Q max(const Q& a, const Q& b) {
-    return {{_mm_max_epi16(a.v[0], b.v[0]), _mm_max_epi16(a.v[1], b.v[1]), _mm_max_epi16(a.v[2], b.v[2]),
-             _mm_max_epi16(a.v[3], b.v[3])}};
-  }
-  template <int kBits>
-  static I bytes(const Q& a) {
-    const __m128i low = _mm_packus_epi16(_mm_srai_epi16(a.v[0], kBits), _mm_srai_epi16(a.v[1], kBits));
-    const __m128i high = _mm_packus_epi16(_mm_srai_epi16(a.v[2], kBits), _mm_srai_epi16(a.v[3], kBits));
-    return {low, high};
-  }
-
   static void gather_quads(const float* base, const uint32_t* number, size_t stride, F& a, F& b, F& c, F& d) {
+    from_memory(number);
     const auto row = [=](size_t i) { return _mm_loadu_ps(base + size_t{number[i]} * stride); };
     transpose(row(0), row(1), row(2), row(3), a.l, b.l, c.l, d.l);
     transpose(row(4), row(5), row(6), row(7), a.h, b.h, c.h, d.h);
@@ -155,6 +130,7 @@ struct Sse2 {
     d = bits(f[3]);
   }
   static void gather_pairs(const float* base, const uint32_t* number, size_t stride, F& a, F& b) {
+    from_memory(number);
     const auto two = [=](size_t i) {
       const __m128d low = _mm_load_sd(reinterpret_cast<const double*>(base + size_t{number[i]} * stride));
       return _mm_castpd_ps(_mm_loadh_pd(low, reinterpret_cast<const double*>(base + size_t{number[i + 1]} * stride)));
@@ -171,12 +147,6 @@ struct Sse2 {
     _mm_storeu_ps(out + 4, _mm_unpackhi_ps(a.l, b.l));
     _mm_storeu_ps(out + 8, _mm_unpacklo_ps(a.h, b.h));
     _mm_storeu_ps(out + 12, _mm_unpackhi_ps(a.h, b.h));
-  }
-  static void scatter_pairs(int16_t* out, I a, I b) {
-    store4(out, _mm_unpacklo_epi32(a.l, b.l));
-    store4(out + 8, _mm_unpackhi_epi32(a.l, b.l));
-    store4(out + 16, _mm_unpacklo_epi32(a.h, b.h));
-    store4(out + 24, _mm_unpackhi_epi32(a.h, b.h));
   }
   static void scatter_quads(float* out, F a, F b, F c, F d) {
     __m128 rows[8];

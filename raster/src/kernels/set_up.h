@@ -12,6 +12,7 @@ template <size_t kSamples>
 struct SmallGroup {
   // The part of the box that lies in the tile. Its first pixel is the corner: edges and colours, which are whole
   // numbers, start there without a change; depth is counted from the anchor, the first pixel of the whole box.
+  int32_t place[8];           ///< of the corner in the tile's buffers, from the tile's first pixel
   int32_t column[8], row[8];  ///< of the corner from the tile's first pixel
   int32_t width[8], height[8];
   float across[8], down[8];  ///< pixels from the anchor to the corner
@@ -28,12 +29,18 @@ struct SmallGroup {
   // level, so it fits. With several a pixel's centre may lie beside the triangle; less 128 levels there is as much room
   // below as above.
   static constexpr int32_t kLess = kSamples == 1 ? 0 : 128 << kLevelBits;
-  int16_t colour[8][4], colour_x[8][4], colour_y[8][4];
+  // With one sample green is twice that, so that its byte needs no shift.
+  static constexpr int kGreenShift = kSamples == 1 ? 1 : 0;
+  struct Colours {
+    int32_t blue_red[8];  ///< blue in the low halves
+    int32_t green[8];     ///< in the low halves
+  };
+  Colours colour, colour_x, colour_y;
 
   // Used with several samples only, where a pixel's centre may lie beside the triangle.
   int32_t below[kSamples][3][8];    ///< a sample's start less the greatest
   float sample_depth[kSamples][8];  ///< a sample's depth less its pixel centre's
-  int16_t colour_least[8][4], colour_greatest[8][4];
+  Colours colour_least, colour_greatest;
 };
 
 template <class L, size_t kSamples>
@@ -60,7 +67,7 @@ struct SetUp {
     alignas(32) uint32_t corners[3][8];
     {
       I words[4];
-      L::gather_quads(small->corner, number, words[0], words[1], words[2], words[3]);
+      L::gather_quads(reinterpret_cast<const uint32_t*>(small), number, words[0], words[1], words[2], words[3]);
       for (size_t c = 0; c < 3; ++c)
         L::store(corners[c], words[c]);
       L::store(out.word, words[3]);
@@ -91,8 +98,11 @@ struct SetUp {
     const I above = L::max(L::set(job.y) - row, zero);
     const I corner_column = column + left_out;
     const I corner_row = row + above;
-    L::store(out.column, corner_column - L::set(job.x));
-    L::store(out.row, corner_row - L::set(job.y));
+    const I tile_column = corner_column - L::set(job.x);
+    const I tile_row = corner_row - L::set(job.y);
+    L::store(out.column, tile_column);
+    L::store(out.row, tile_row);
+    L::store(out.place, L::dot(L::pair(tile_column, tile_row), L::set(packed(1, kTileStride * int32_t{kSamples}))));
     L::store(out.width, L::min(last_column, L::set(job.x + job.width - 1)) - corner_column + L::set(1));
     L::store(out.height, L::min(last_row, L::set(job.y + job.height - 1)) - corner_row + L::set(1));
     L::store(out.across, L::to_float(left_out));
@@ -176,9 +186,9 @@ struct SetUp {
       per_y[c] = L::round(gradient_y);
       start[c] = (L::round(middle) + L::set(kColourBias)) + L::dot(L::pair(per_x[c], per_y[c]), from_middle);
     }
-    store_quads(out.colour, L::pair(start[0], start[1]), L::pair(start[2], L::set(-SmallGroup<kSamples>::kLess)));
-    store_quads(out.colour_x, L::pair(per_x[0], per_x[1]), L::pair(per_x[2], zero));
-    store_quads(out.colour_y, L::pair(per_y[0], per_y[1]), L::pair(per_y[2], zero));
+    store_colours(start, out.colour);
+    store_colours(per_x, out.colour_x);
+    store_colours(per_y, out.colour_y);
 
     const I least[2] = {L::min16(L::min16(blue_green[0], blue_green[1]), blue_green[2]),
                         L::min16(L::min16(red[0], red[1]), red[2])};
@@ -200,8 +210,10 @@ struct SetUp {
     return L::signs(perspective | sliver);
   }
 
-  static void store_quads(int16_t (&out)[8][4], I blue_green, I red) { L::scatter_pairs(out[0], blue_green, red); }
-
+  static void store_colours(const I (&blue_green_red)[3], typename SmallGroup<kSamples>::Colours& out) {
+    L::store(out.blue_red, L::pair(blue_green_red[0], blue_green_red[2]));
+    L::store(out.green, L::template shift_left<SmallGroup<kSamples>::kGreenShift>(blue_green_red[1]));
+  }
   static void store_ranges(F depth_x, F depth_y, const I (&least)[2], const I (&greatest)[2],
                            SmallGroup<kSamples>& out) {
     for (size_t s = 0; s < kSamples; ++s) {
@@ -209,9 +221,14 @@ struct SetUp {
       L::store(out.sample_depth[s], L::set(static_cast<float>(Pattern::kX[s]) * kPixel) * depth_x +
                                         L::set(static_cast<float>(Pattern::kY[s]) * kPixel) * depth_y);
     }
-    const I bias = L::set(packed(-kColourBias, -kColourBias));
-    store_quads(out.colour_least, L::subtract16(least[0], bias), L::subtract16(least[1], bias));
-    store_quads(out.colour_greatest, L::subtract16(greatest[0], bias), L::subtract16(greatest[1], bias));
+    const I bias = L::set(packed(kColourBias, kColourBias));
+    const auto store = [bias](const I(&levels)[2], typename SmallGroup<kSamples>::Colours& colours) {
+      const I blue_green = L::add16(levels[0], bias);
+      L::store(colours.blue_red, L::pair(blue_green, L::add16(levels[1], bias)));
+      L::store(colours.green, high_half(blue_green));
+    };
+    store(least, out.colour_least);
+    store(greatest, out.colour_greatest);
   }
 };
 

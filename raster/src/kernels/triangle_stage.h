@@ -90,7 +90,8 @@ struct TriangleStage {
       return one_by_one(job, number, Kinds{kept, ordinary, small, cut}, first, state);
     }
     const I word = tiles | L::set(static_cast<int32_t>(kGouraudColour));
-    L::store_kept(job.small[job.first_small + state.counts.appended].corner, kept, corner[0], second, third, word);
+    SmallTriangle* out = job.small + job.first_small + state.counts.appended;
+    L::store_kept(reinterpret_cast<uint32_t*>(out), kept, corner[0], second, third, word);
     state.counts.appended += static_cast<uint32_t>(__builtin_popcount(kept));
   }
 
@@ -122,32 +123,35 @@ struct TriangleStage {
   }
 
   // Puts what waits into the lists of its tiles.
-  static void list(const TriangleJob& job, State& state) {
+  [[gnu::noinline]] static void list(const TriangleJob& job, State& state) {
+    const uint32_t end = state.counts.appended;
+    if (state.listed == end) return;
     const SmallTriangle* small = job.small + job.first_small;
-    for (; state.listed < state.counts.appended; ++state.listed) {
-      const uint32_t word = small[state.listed].word;
-      const uint32_t number = job.first_small + state.listed;
+    uint32_t** tails = job.tails;
+    const auto append = [&job, tails](size_t tile, uint32_t number) {
+      uint32_t* tail = tails[tile];
+      if (reinterpret_cast<uintptr_t>(tail) % sizeof(EntryBlock) == 0) tail = job.sink.extend(job.sink.context, tile);
+      *tail = number;
+      tails[tile] = tail + 1;
+    };
+    for (uint32_t i = state.listed; i < end; ++i) {
+      const uint32_t word = small[i].word;
+      const uint32_t number = job.first_small + i;
       const uint32_t tile = word & kTileMask;
-      append(job, tile, number);
+      append(tile, number);
       const uint32_t more = (word & ~kGouraudColour) >> kTileBits;
       if (more == 0U) continue;
       const uint32_t across = more & kTileColumnMask;
       for (uint32_t k = 1; k <= across; ++k)
-        append(job, tile + k, number);
+        append(tile + k, number);
       uint32_t row = tile;
       for (uint32_t rows = more >> kTileColumnBits; rows != 0U; --rows) {
         row += static_cast<uint32_t>(job.tiles_across);
         for (uint32_t k = 0; k <= across; ++k)
-          append(job, row + k, number);
+          append(row + k, number);
       }
     }
-  }
-
-  static void append(const TriangleJob& job, size_t tile, uint32_t number) {
-    uint32_t* tail = job.tails[tile];
-    if (reinterpret_cast<uintptr_t>(tail) % sizeof(EntryBlock) == 0) tail = job.sink.extend(job.sink.context, tile);
-    *tail = number;
-    job.tails[tile] = tail + 1;
+    state.listed = end;
   }
 
   // The least of the low halves and the greatest of the high halves.
@@ -162,6 +166,24 @@ struct TriangleStage {
     }
   }
 
+  // Eight triangles of which the first `real` are some. `limit`: the number of vertices with its sign turned round.
+  static void some(const TriangleJob& job, const uint32_t* indices, size_t real, size_t first, I limit, State& state) {
+    I index[3];
+    L::load_triples(indices, index[0], index[1], index[2]);
+    // Unsigned comparison by turning the sign bit round.
+    I good = L::set(-1);
+    for (const I& i : index)
+      good = good & L::greater(limit, i ^ L::set(static_cast<int32_t>(0x80000000U)));
+    const uint32_t in_range = L::signs(good);
+    const uint32_t wanted = in_range & ((1U << real) - 1U);
+    if (in_range != 0xFFU) {
+      for (I& i : index)
+        i = L::select(good, i, L::set(0));
+    }
+    state.counts.rejected += real - static_cast<size_t>(__builtin_popcount(wanted));
+    if (wanted != 0U) eight(job, index, wanted, first, state);
+  }
+
   static TriangleCounts run(const TriangleJob& job) {
     State state;
     state.least_columns = L::set(0x7FFF);
@@ -170,30 +192,16 @@ struct TriangleStage {
     state.greatest_rows = L::set(0);
     state.listed = 0;
     const I limit = L::set(static_cast<int32_t>(job.vertex_count ^ 0x80000000U));
-    for (size_t first = job.begin; first < job.end; first += 8) {
-      const size_t real = job.end - first < 8 ? job.end - first : 8;
-      const uint32_t* indices = job.indices + 3 * first;
-      uint32_t rest[24] = {};
-      if (real < 8) {
-        for (size_t i = 0; i < 3 * real; ++i)
-          rest[i] = indices[i];
-        indices = rest;
-      }
-      I index[3];
-      L::load_triples(indices, index[0], index[1], index[2]);
-      // Unsigned comparison by turning the sign bit round.
-      I good = L::set(-1);
-      for (const I& i : index)
-        good = good & L::greater(limit, i ^ L::set(static_cast<int32_t>(0x80000000U)));
-      const uint32_t in_range = L::signs(good);
-      const uint32_t wanted = in_range & ((1U << real) - 1U);
-      if (in_range != 0xFFU) {
-        for (I& i : index)
-          i = L::select(good, i, L::set(0));
-      }
-      state.counts.rejected += real - static_cast<size_t>(__builtin_popcount(wanted));
-      if (wanted != 0U) eight(job, index, wanted, first, state);
+    size_t first = job.begin;
+    for (; first + 8 <= job.end; first += 8) {
+      some(job, job.indices + 3 * first, 8, first, limit, state);
       if (state.counts.appended - state.listed >= kWaiting) list(job, state);
+    }
+    if (first < job.end) {
+      uint32_t rest[24] = {};
+      for (size_t i = 0; i < 3 * (job.end - first); ++i)
+        rest[i] = job.indices[3 * first + i];
+      some(job, rest, job.end - first, first, limit, state);
     }
     list(job, state);
     bounds(state.least_columns, state.greatest_columns, state.counts.first_tile_column, state.counts.last_tile_column);
