@@ -106,7 +106,7 @@ raster::Camera stage_camera(const Figure& figure, CameraName name, float aspect)
       break;
     case CameraName::kFace:
       target = head + Vec3(0, 0.06 + 0.4 * taller, 0.05);
-      eye = target + Vec3(0, 0.02, 1.5 + 5.0 * taller);
+      eye = target + Vec3(0, 0.02, 1.5 + 6.0 * taller);
       cot = 9.2;
       break;
   }

@@ -47,8 +47,10 @@ void bend_out(const Signer& signer, Side side, HandSegment& segment) {
     const Sample worst = deepest_sample(signer, side, segment);
     if (worst.index == 0) return;
     const double s = minimum_jerk(static_cast<double>(worst.index) / kSamples);
-    // Forwards rather than round the back.
-    const Vec3 out = unit(worst.depth.out + Vec3(0.0, 0.0, 0.5));
+    // Forwards rather than round the back, to which it may be nearer.
+    const double x = state_after(segment, static_cast<double>(worst.index) / kSamples).wrist.position.x;
+    const double beside = std::clamp(x / 0.2, -1.0, 1.0);
+    const Vec3 out = unit(worst.depth.out.z > 0.2 ? worst.depth.out + Vec3(0.0, 0.0, 0.5) : Vec3(beside, 0.0, 1.0));
     segment.bulge += out * ((worst.depth.metres + kRoom) / std::max(0.4, 4.0 * s * (1.0 - s)));
     const double length = std::sqrt(glm::dot(segment.bulge, segment.bulge));
     if (length > kFarthest) segment.bulge *= kFarthest / length;
