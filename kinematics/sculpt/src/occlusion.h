@@ -8,7 +8,8 @@
 
 namespace auslan::sculpt {
 
-/// A sculpture where it stands at rest. Its parts that take no occlusion, because the face moves them, give none either.
+/// A sculpture where it stands at rest. Its parts that take no occlusion, because the face moves them, give none
+/// either.
 struct Occluder {
   const Sculpture* sculpture = nullptr;
   Vec3 place{0.0};  ///< of its node in the world, metres

@@ -281,7 +281,7 @@ void Judge::at_keys() {
 }
 
 void Judge::strokes() {
-  constexpr int kSamples = 64;
+  constexpr Tick kSamples = 100;
   for (size_t side = 0; side < 2; ++side) {
     for (const HandSegment& segment : score_.hands[side]) {
       const Oscillation& o = segment.oscillation;
@@ -290,14 +290,19 @@ void Judge::strokes() {
       if (way < kShortestStroke || length(segment.bulge) > kStraightest * way) continue;
       double peak = 0.0;
       double sum = 0.0;
-      Vec3 before = state_at(segment, segment.begin).wrist.position;
-      for (int i = 1; i <= kSamples; ++i) {
-        const Vec3 now = state_at(segment, segment.begin + (segment.end - segment.begin) * i / kSamples).wrist.position;
-        peak = std::max(peak, length(now - before));
+      Tick last = segment.begin;
+      Vec3 before = state_at(segment, last).wrist.position;
+      const Tick step = std::max<Tick>(1, (segment.end - segment.begin) / kSamples);
+      for (Tick time = last + step; time <= segment.end; time += step) {
+        const Vec3 now = state_at(segment, time).wrist.position;
+        peak = std::max(peak, length(now - before) / static_cast<double>(step));
         sum += length(now - before);
         before = now;
+        last = time;
       }
-      note(Measure::kStroke, peak * kSamples / sum, segment.begin, name(arms_[side].wrist));
+      if (sum > 0.0)
+        note(Measure::kStroke, peak * static_cast<double>(last - segment.begin) / sum, segment.begin,
+             name(arms_[side].wrist));
     }
   }
 }

@@ -25,12 +25,13 @@ constexpr std::string_view kExamples =
     "  auslanjam translate \"I do not understand.\"          the glosses and why\n"
     "  auslanjam db search hospital                        look a sign up\n"
     "  auslanjam avatar figure.vrm                         what another maker's figure can do\n"
+    "  auslanjam check HURT                                how well it is signed, in numbers\n"
     "  auslanjam bench                                     what a frame costs here\n"
     "`auslanjam COMMAND --help` tells what each takes. Exit status: 0 done, 1 the work failed, 2 the command line was "
     "wrong.\n";
 
-constexpr std::array<std::string_view, 8> kCommands = {"sign", "render",     "motion", "translate",
-                                                       "db",   "experiment", "bench",  "avatar"};
+constexpr std::array<std::string_view, 9> kCommands = {"sign",       "render", "motion", "translate", "db",
+                                                       "experiment", "bench",  "avatar", "check"};
 
 /// A whole number in a range, or a message that names it.
 std::string parse_int(const std::string& text, int least, int most, int& value) {
@@ -315,6 +316,12 @@ std::variant<Options, ExitNow> parse_command_line(int argc, const char* const* a
   add_bench(*bench, options);
   CLI::App* avatar = app.add_subcommand("avatar", "Tell what a figure of another maker has, and lacks for signing");
   add_avatar(*avatar, options);
+  CLI::App* check_signs = app.add_subcommand(
+      "check", "Measure how well entries are signed: contact, body parts inside each other, directions, joints, speed");
+  check_signs->add_option("GLOSS", options.words, "Which; all of the lexicon when none is given (takes minutes)");
+  check_signs->add_option("--picture", options.output, "A folder for pictures of the worst moment of each entry")
+      ->type_name("FOLDER");
+  add_figure(*check_signs, options);
   CLI::App* db = app.add_subcommand("db", "Look into the lexicon");
   db->require_subcommand(1);
   CLI::App* list = db->add_subcommand("list", "List the entries");
@@ -327,7 +334,8 @@ std::variant<Options, ExitNow> parse_command_line(int argc, const char* const* a
   CLI::App* search = db->add_subcommand("search", "Search glosses, English words and definitions");
   search->add_option("WORDS", options.words, "What to look for")->required();
   CLI::App* check_db = db->add_subcommand("check", "Check the database against its rules");
-  for (CLI::App* sub : {sign, render, motion, translate, experiment, bench, avatar, list, show, search, check_db})
+  for (CLI::App* sub :
+       {sign, render, motion, translate, experiment, bench, avatar, check_signs, list, show, search, check_db})
     add_common(*sub, options);
 
   // `auslanjam TEXT` is `auslanjam sign TEXT`.
@@ -359,6 +367,7 @@ std::variant<Options, ExitNow> parse_command_line(int argc, const char* const* a
   if (*translate) options.command = Command::kTranslate;
   if (*experiment) options.command = Command::kExperiment;
   if (*avatar) options.command = Command::kAvatar;
+  if (*check_signs) options.command = Command::kCheck;
   if (*bench) options.command = Command::kBench;
   if (*bench && !options.source.text) options.source.text = "Where does it hurt?";
   if (*list) options.command = Command::kDbList;

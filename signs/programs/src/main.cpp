@@ -46,6 +46,8 @@ auslan::Result<void> run(const auslan::Options& options) {
       return auslan::run_avatar(options);
     case kBench:
       return auslan::run_bench(options);
+    case kCheck:
+      return auslan::run_check(options);
     case kDbList:
     case kDbShow:
     case kDbSearch:

@@ -23,7 +23,8 @@ enum class Command {
   kDbCheck,
   kExperiment,
   kBench,
-  kAvatar
+  kAvatar,
+  kCheck
 };
 
 /// What is to be signed: exactly one of these.

@@ -245,19 +245,33 @@ Result<Session::Spoken> Session::spoken() {
   return Spoken{std::move(*utterance), translation->warnings};
 }
 
+Result<Utterance> Session::utterance_of(const std::string& gloss) {
+  const auto lexicon = this->lexicon();
+  if (!lexicon) return tl::unexpected(lexicon.error());
+  return compose(
+      translation_of_glosses({entry_name(gloss)}), [this](std::string_view name) { return lexicon_->sign(name); },
+      [this](std::string_view id) { return lexicon_->handshape(id); });
+}
+
+Result<const Signer*> Session::signer() {
+  const auto body = this->body();
+  if (!body) return tl::unexpected(body.error());
+  if (!signer_) {
+    auto signer = Signer::build(*body->figure, body->traits());
+    if (!signer) return tl::unexpected(signer.error());
+    signer_.emplace(std::move(*signer));
+  }
+  return &*signer_;
+}
+
 Result<Show> Session::show() {
   if (options_.source.motion_file) return show_of_motion_file();
   const auto spoken = this->spoken();
   if (!spoken) return tl::unexpected(spoken.error());
   const Utterance& utterance = spoken->utterance;
-  const auto figure = this->figure();
-  if (!figure) return tl::unexpected(figure.error());
-  if (!signer_) {
-    auto signer = Signer::build(**figure, Body{.figure = *figure, .avatar = avatar_.get()}.traits());
-    if (!signer) return tl::unexpected(signer.error());
-    signer_.emplace(std::move(*signer));
-  }
-  auto score = choreograph(*signer_, utterance, {options_.speed, 3.0, true});
+  const auto signer = this->signer();
+  if (!signer) return tl::unexpected(signer.error());
+  auto score = choreograph(**signer, utterance, {options_.speed, 3.0, true});
   if (!score) return tl::unexpected(score.error());
   if (seconds(score->end) > kLongestSeconds)
     return too_long("about " + std::to_string(static_cast<int>(seconds(score->end) / 60)) + " minutes");
@@ -270,7 +284,7 @@ Result<Show> Session::show() {
   show.reviewed = utterance.all_reviewed;
   show.warnings = spoken->warnings;
   const auto performance = std::make_shared<const Performance>(
-      *signer_, std::move(*score), PerformanceOptions{options_.left_handed, options_.idle, options_.seed});
+      **signer, std::move(*score), PerformanceOptions{options_.left_handed, options_.idle, options_.seed});
   show.sample = [performance](Tick time, Pose& pose) { performance->sample(time, pose); };
   return show;
 }

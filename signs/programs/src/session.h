@@ -44,6 +44,9 @@ class Session {
   Result<const Lexicon*> lexicon();
   Result<Translation> translation();
   Result<Show> show();
+  Result<const Signer*> signer();
+  /// One entry of the lexicon. kNotFound when there is none.
+  Result<Utterance> utterance_of(const std::string& gloss);
 
  private:
   /// What is to be performed, and what has to be said about it.

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+// Performances whose faults are known because they were put there.
+#include "check/check.h"
+
+#include "kinematics/elementary.h"
+#include "kinematics/rotation.h"
+#include "shipped.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <string>
+#include <vector>
+
+namespace auslan {
+namespace {
+
+class Check : public ::testing::Test {
+ protected:
+  Check() : checker_(*shipped().signer) {
+    Posture posture;
+    posture.fingers = {0, 1, 0};
+    posture.palm = {0, 0, 1};
+    posture.offset = Vec3(-0.05, 0.0, 0.3);
+    const Handshape flat = shipped().lexicon->handshape("flat").value().value();
+    shown_ = shipped().signer->place(posture, flat, Side::kRight, {}).state;
+    low_ = {shipped().signer->rest(Side::kLeft), shipped().signer->rest(Side::kRight)};
+  }
+  /// The left hand hangs; the right one goes from state to state, each way in so many seconds.
+  static HandSegment segment(Tick begin, Tick end, const HandState& from, const HandState& to) {
+    HandSegment made;
+    made.begin = begin;
+    made.end = end;
+    made.from = from;
+    made.to = to;
+    return made;
+  }
+  Score score_of_states(const std::vector<HandState>& states, double each) const {
+    Score score;
+    for (size_t i = 0; i + 1 < states.size(); ++i) {
+      score.hands[1].push_back(segment(score.end, score.end + ticks(each), states[i], states[i + 1]));
+      score.end += ticks(each);
+    }
+    score.hands[0] = {segment(0, score.end, low_[0], low_[0])};
+    return score;
+  }
+  HandState moved(const Vec3& way) const {
+    HandState state = shown_;
+    state.wrist.position += way;
+    return state;
+  }
+
+  Checker checker_;
+  HandState shown_;
+  std::array<HandState, 2> low_;
+};
+
+TEST_F(Check, HandsThatHangAreInNothing) {
+  const Verdict verdict = checker_.check(score_of_states({low_[1], low_[1]}, 0.5));
+  EXPECT_TRUE(verdict.good(Measure::kPenetration));
+  EXPECT_TRUE(verdict.good(Measure::kWristSpeed));
+  EXPECT_FALSE(verdict.of(Measure::kContact));
+}
+
+TEST_F(Check, AStrokeOfTwentyCentimetresInATenthOfASecondIsTooFast) {
+  // The peak of a minimum-jerk stroke is 1.875 times its mean; 120 samples a second see a little less of it.
+  const Verdict verdict = checker_.check(score_of_states({shown_, moved({0.1, 0.17, 0.03})}, 0.1));
+  const double way = std::sqrt(0.1 * 0.1 + 0.17 * 0.17 + 0.03 * 0.03);
+  EXPECT_NEAR(verdict.of(Measure::kWristSpeed)->value, 1.875 * way / 0.1, 0.1);
+  EXPECT_NEAR(verdict.of(Measure::kStroke)->value, 1.875, 0.01);
+  EXPECT_FALSE(checker_.check(score_of_states({shown_, moved({0.2, 0.17, 0.03})}, 0.1)).good(Measure::kWristSpeed));
+}
+
+TEST_F(Check, AHandInTheHeadIsAsDeepAsItWasPut) {
+  const Skeleton& skeleton = shipped().figure.skeleton;
+  HandState state = shown_;
+  // The fingers' middle joints in the middle of the head.
+  state.wrist.position = skeleton.rest_position(skeleton.find("head_base")) + Vec3(0.0, -0.06, 0.02);
+  const Verdict verdict = checker_.check(score_of_states({state, state}, 0.1));
+  EXPECT_GT(verdict.of(Measure::kPenetration)->value, 40.0);
+  EXPECT_LT(verdict.of(Measure::kPenetration)->value, 110.0);
+  EXPECT_NE(verdict.of(Measure::kPenetration)->where.find("_base"), std::string::npos);
+  EXPECT_FALSE(verdict.good());
+}
+
+TEST_F(Check, TouchingPartsMayPressWhereTheEntrySaysSo) {
+  const Site chin = shipped().signer->body().site(Location::kChin, Side::kRight, Vec3(0.0), true);
+  HandState state = shown_;
+  state.wrist.rotation = orient_hand(shipped().signer->hand_frame(Side::kRight), Vec3(0, 0.2, -1), Vec3(0, -1, 0));
+  const Vec3 tip = shipped().signer->hand(Side::kRight).site(HandPart::kMiddleTip, state.angles).position;
+  Score score = score_of_states({state, state}, 0.2);
+  const auto put = [&](double deep) {
+    state.wrist.position = chin.position - chin.normal * deep - state.wrist.rotation * tip;
+    score.hands[1].front().from = score.hands[1].front().to = state;
+    HandTarget target;
+    target.begin = ticks(0.05);
+    target.end = ticks(0.15);
+    target.touches = true;
+    target.part = tip;
+    target.location = Location::kChin;
+    score.targets[1] = {target};
+    return checker_.check(score);
+  };
+  EXPECT_NEAR(put(0.002).of(Measure::kContact)->value, 2.0, 1.0);
+  EXPECT_NEAR(put(-0.008).of(Measure::kContact)->value, 8.0, 1.5);
+  EXPECT_TRUE(put(-0.008).good(Measure::kPenetration));
+  const Verdict pressed = put(0.012);
+  ASSERT_TRUE(pressed.of(Measure::kPressing));
+  EXPECT_NEAR(pressed.of(Measure::kPressing)->value, 12.0, 3.0);
+}
+
+TEST_F(Check, DirectionsAndHoldsAreThoseOfTheTarget) {
+  Score score = score_of_states({shown_, shown_}, 0.4);
+  const HandFrame& frame = shipped().signer->hand_frame(Side::kRight);
+  HandTarget target;
+  target.begin = ticks(0.1);
+  target.end = ticks(0.16);
+  target.palm = shown_.wrist.rotation * frame.palm;
+  // The fingers are stated ten degrees to the side of where they point.
+  target.fingers = axis_angle(target.palm, 10.0 * kDegree) * (shown_.wrist.rotation * frame.fingers);
+  target.angles = shown_.angles;
+  score.targets[1] = {target};
+  score.glosses = {{"X", 0, ticks(0.4), false, 0}};
+  const Verdict verdict = checker_.check(score);
+  EXPECT_NEAR(verdict.of(Measure::kDirection)->value, 10.0, 0.2);
+  EXPECT_NEAR(verdict.of(Measure::kHold)->value, 60.0, 1.0);
+  EXPECT_FALSE(verdict.good(Measure::kHold));
+  EXPECT_NEAR(verdict.of(Measure::kHandshape)->value, 0.0, 1e-6);
+  score.targets[1].front().angles.fingers[0].pip += 5.0 * kDegree;
+  EXPECT_NEAR(checker_.check(score).of(Measure::kHandshape)->value, 5.0, 0.1);
+}
+
+TEST_F(Check, AJerkAtAKeyIsSeen) {
+  // The first segment ends in full swing: a path twice as long, cut in its middle.
+  Score score = score_of_states({shown_, moved({0.1, 0.1, 0.0})}, 0.4);
+  EXPECT_TRUE(checker_.check(score).good(Measure::kAngularVelocity));
+  HandSegment& first = score.hands[1].front();
+  first.oscillation.turn = Vec3(0.5, 0.0, 0.0);
+  first.oscillation.cycles = 1.25;
+  HandSegment second = first;
+  second.oscillation = {};
+  second.from = second.to;
+  second.begin = ticks(0.2);
+  first.end = ticks(0.2);
+  score.hands[1] = {first, second};
+  first.to = first.from;
+  score.hands[1].back().from.wrist.rotation =
+      axis_angle(Vec3(1, 0, 0), 0.2) * score.hands[1].back().from.wrist.rotation;
+  EXPECT_FALSE(checker_.check(score).good(Measure::kAngularVelocity));
+}
+
+TEST_F(Check, AHandBeforeTheMouthHidesIt) {
+  const Skeleton& skeleton = shipped().figure.skeleton;
+  HandState state = shown_;
+  state.wrist.position = skeleton.rest_position(skeleton.find("head_base")) + Vec3(0.0, -0.1, 0.25);
+  EXPECT_NEAR(checker_.check(score_of_states({state, state}, 0.2)).of(Measure::kFaceHidden)->value, 100.0, 0.1);
+  EXPECT_NEAR(checker_.check(score_of_states({low_[1], low_[1]}, 0.2)).of(Measure::kFaceHidden)->value, 0.0, 0.1);
+}
+
+}  // namespace
+}  // namespace auslan
