@@ -52,14 +52,18 @@ struct SetUp {
   static constexpr int32_t packed(int32_t low, int32_t high) {
     return static_cast<int32_t>((static_cast<uint32_t>(low) & 0xFFFFU) | (static_cast<uint32_t>(high) << 16U));
   }
+  static F magnitude(F a) { return L::max(a, L::set(0.0F) - a); }
+  // Of a pixel with a sample inside, the centre lies within half a pixel of the triangle in either direction: there a
+  // colour is at most half of this beyond its corners', and 128 levels are left for that, less what rounding takes.
+  static F steepest() { return L::set(static_cast<float>(250 << kLevelBits)); }
   static F gradient(F d1, F d2, F k1, F k2) { return d1 * k2 - d2 * k1; }
   static I low_half(I words) { return words & L::set(int32_t{0xFFFF}); }
   static I high_half(I words) { return L::template shift_right<16>(words); }
   // Half a level for rounding, and what colours are less by.
   static constexpr int32_t kColourBias = (1 << (kLevelBits - 1)) - SmallGroup<kSamples>::kLess;
 
-  /// Returns the lanes that must take the long path: slivers, whose gradients need more than single precision, and
-  /// triangles whose colours must follow the perspective.
+  /// Returns the lanes that must take the long path: slivers, whose gradients need more than single precision,
+  /// triangles whose colours must follow the perspective, and those whose colours would not fit in 16 bits beside them.
   static uint32_t run(const TileJob& job, const SmallTriangle* small, const uint32_t* number,
                       SmallGroup<kSamples>& out) {
     F x[3], y[3], depth[3], w[3];
@@ -172,6 +176,7 @@ struct SetUp {
     const F middle_dy = dy + L::to_float(middle_y);
     const I from_middle = L::pair(left_out - middle_x, above - middle_y);
     I start[3], per_x[3], per_y[3];
+    I steep = L::set(0);
     for (size_t c = 0; c < 3; ++c) {
       const auto channel = [&](size_t corner) {
         return c == 0 ? low_half(blue_green[corner]) : c == 1 ? high_half(blue_green[corner]) : red[corner];
@@ -181,6 +186,7 @@ struct SetUp {
       const F d2 = L::to_float(channel(2) - level);
       const F gradient_x = gradient(d1, d2, y1, y2);
       const F gradient_y = gradient(d2, d1, x2, x1);
+      if constexpr (kSamples > 1) steep = steep | L::greater(magnitude(gradient_x) + magnitude(gradient_y), steepest());
       const F middle = (L::to_float(level) + middle_dy * gradient_y) + middle_dx * gradient_x;
       per_x[c] = L::round(gradient_x);
       per_y[c] = L::round(gradient_y);
@@ -207,7 +213,7 @@ struct SetUp {
     // With a height of 1/128 pixel and more, rounding is off by no more than 2^-10 of what depth spreads over.
     const F span = L::max(right - left, bottom - top);
     const I sliver = L::greater(span + span, area);
-    return L::signs(perspective | sliver);
+    return L::signs(perspective | sliver | steep);
   }
 
   static void store_colours(const I (&blue_green_red)[3], typename SmallGroup<kSamples>::Colours& out) {
