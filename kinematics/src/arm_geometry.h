@@ -3,6 +3,7 @@
 #pragma once
 
 #include "kinematics/anatomy.h"
+#include "kinematics/arm_ik.h"
 #include "kinematics/limits.h"
 
 namespace auslan {
@@ -16,6 +17,9 @@ struct ArmGeometry {
 };
 
 ArmGeometry arm_geometry(const Skeleton& skeleton, Side side);
+
+/// solve_arm in the frame of the shoulder's parent.
+ArmSolution solve_in_parent(const ArmGeometry& arm, const Transform& parent_from_wrist, double swivel);
 
 /// How a joint's local rotation is read as angles: undo `zero`, twist about `bone`, swing about the other two.
 struct JointAxes {

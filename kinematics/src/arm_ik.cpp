@@ -51,49 +51,6 @@ Vec3 swivel_reference(const Vec3& line) {
   return unit(side, unit(perpendicular_part(Vec3(0.0, 0.0, 1.0), line)));
 }
 
-// The shoulder's parent is the world here.
-ArmSolution solve_in_parent(const ArmGeometry& arm, const Transform& parent_from_wrist, double swivel) {
-  ArmSolution solution;
-  const Vec3 reach = parent_from_wrist.position - arm.shoulder_offset;
-  const double wanted = length(reach);
-  const Vec3 line = unit(reach, Vec3(0.0, -1.0, 0.0));
-  const double farthest = arm.upper_length + arm.fore_length;
-  const double difference = arm.upper_length - arm.fore_length;
-  const double nearest = difference < 0.0 ? -difference : difference;
-  double distance = wanted;
-  if (wanted > farthest) distance = farthest;
-  if (wanted < nearest) distance = nearest;
-  // A wrist at full stretch that rounding puts a hair beyond it is not out of reach.
-  solution.shortfall = wanted > distance ? wanted - distance : distance - wanted;
-  solution.reachable = solution.shortfall <= 1e-12;
-  if (solution.reachable) solution.shortfall = 0.0;
-
-  // Upper arm and forearm in the plane of the line and the elbow; `along` is the foot of the elbow on the line.
-  const double along =
-      distance > 0.0 ? (distance * distance + arm.upper_length * arm.upper_length - arm.fore_length * arm.fore_length) /
-                           (2.0 * distance)
-                     : 0.0;
-  const double square = arm.upper_length * arm.upper_length - along * along;
-  const double height = square > 0.0 ? std::sqrt(square) : 0.0;
-  double s = 0.0;
-  double c = 0.0;
-  sine_cosine(swivel * arm.side_sign, s, c);
-  const Vec3 reference = swivel_reference(line);
-  const Vec3 elbow_side = reference * c + glm::cross(line, reference) * s;
-  const Vec3 upper = unit(line * along + elbow_side * height);
-  const Vec3 fore = unit(line * (distance - along) - elbow_side * height, -elbow_side);
-  const Vec3 hinge = glm::cross(elbow_side, line);
-
-  solution.shoulder = rotation_between_frames(arm.upper_bone, arm.hinge, upper, hinge);
-  const Quat bend = rotation_between_frames(arm.fore_bone, arm.hinge, glm::conjugate(solution.shoulder) * fore,
-                                            glm::conjugate(solution.shoulder) * hinge);
-  const Quat beyond = glm::conjugate(solution.shoulder * bend) * parent_from_wrist.rotation;
-  const Quat pronation = swing_twist(beyond, arm.fore_bone).twist;
-  solution.elbow = renormalised(bend * pronation);
-  solution.wrist = renormalised(glm::conjugate(pronation) * beyond);
-  return solution;
-}
-
 Transform in_frame(const Transform& world_from_frame, const Transform& world_from_thing) {
   const Quat frame_from_world = glm::conjugate(world_from_frame.rotation);
   return {frame_from_world * world_from_thing.rotation,
@@ -179,6 +136,48 @@ ArmGeometry arm_geometry(const Skeleton& skeleton, Side side) {
   // At rest the crook of the elbow faces forwards: bending brings the forearm there.
   arm.hinge = unit(glm::cross(arm.upper_bone, Vec3(0.0, 0.0, 1.0)), Vec3(0.0, -arm.side_sign, 0.0));
   return arm;
+}
+
+ArmSolution solve_in_parent(const ArmGeometry& arm, const Transform& parent_from_wrist, double swivel) {
+  ArmSolution solution;
+  const Vec3 reach = parent_from_wrist.position - arm.shoulder_offset;
+  const double wanted = length(reach);
+  const Vec3 line = unit(reach, Vec3(0.0, -1.0, 0.0));
+  const double farthest = arm.upper_length + arm.fore_length;
+  const double difference = arm.upper_length - arm.fore_length;
+  const double nearest = difference < 0.0 ? -difference : difference;
+  double distance = wanted;
+  if (wanted > farthest) distance = farthest;
+  if (wanted < nearest) distance = nearest;
+  // A wrist at full stretch that rounding puts a hair beyond it is not out of reach.
+  solution.shortfall = wanted > distance ? wanted - distance : distance - wanted;
+  solution.reachable = solution.shortfall <= 1e-12;
+  if (solution.reachable) solution.shortfall = 0.0;
+
+  // Upper arm and forearm in the plane of the line and the elbow; `along` is the foot of the elbow on the line.
+  const double along =
+      distance > 0.0 ? (distance * distance + arm.upper_length * arm.upper_length - arm.fore_length * arm.fore_length) /
+                           (2.0 * distance)
+                     : 0.0;
+  const double square = arm.upper_length * arm.upper_length - along * along;
+  const double height = square > 0.0 ? std::sqrt(square) : 0.0;
+  double s = 0.0;
+  double c = 0.0;
+  sine_cosine(swivel * arm.side_sign, s, c);
+  const Vec3 reference = swivel_reference(line);
+  const Vec3 elbow_side = reference * c + glm::cross(line, reference) * s;
+  const Vec3 upper = unit(line * along + elbow_side * height);
+  const Vec3 fore = unit(line * (distance - along) - elbow_side * height, -elbow_side);
+  const Vec3 hinge = glm::cross(elbow_side, line);
+
+  solution.shoulder = rotation_between_frames(arm.upper_bone, arm.hinge, upper, hinge);
+  const Quat bend = rotation_between_frames(arm.fore_bone, arm.hinge, glm::conjugate(solution.shoulder) * fore,
+                                            glm::conjugate(solution.shoulder) * hinge);
+  const Quat beyond = glm::conjugate(solution.shoulder * bend) * parent_from_wrist.rotation;
+  const Quat pronation = swing_twist(beyond, arm.fore_bone).twist;
+  solution.elbow = renormalised(bend * pronation);
+  solution.wrist = renormalised(glm::conjugate(pronation) * beyond);
+  return solution;
 }
 
 ArmSolution solve_arm(const Skeleton& skeleton, Side side, const Transform& world_from_shoulder_parent,

@@ -115,8 +115,9 @@ Vec3 nearest_weights(const std::array<Vec3, 3>& corner, const Vec3& point) {
 double squared_distance(const Vec3& low, const Vec3& high, const Vec3& point) {
   double sum = 0.0;
   for (glm::length_t i = 0; i < 3; ++i) {
-    const double beyond = std::max({low[i] - point[i], point[i] - high[i], 0.0});
-    sum += beyond * beyond;
+    const double below = low[i] - point[i], above = point[i] - high[i];
+    const double beyond = below > above ? below : above;
+    if (beyond > 0.0) sum += beyond * beyond;
   }
   return sum;
 }
@@ -178,32 +179,46 @@ Solid::Part Solid::make_part(std::span<const glm::vec3> positions, std::span<con
       part.triangles[i].edge_normal[c] = of_edge[edge(triangles[i], c)];
     }
   }
-  part.boxes.push_back({Vec3(0.0), Vec3(0.0), 0, static_cast<uint32_t>(part.triangles.size())});
-  divide(part, 0);
+  // The tree is made of numbers; the triangles are moved once.
+  std::vector<uint32_t> order(part.triangles.size());
+  std::iota(order.begin(), order.end(), 0U);
+  part.boxes.push_back({Vec3(0.0), Vec3(0.0), 0, static_cast<uint32_t>(order.size())});
+  divide(part, 0, order);
+  std::vector<Triangle> sorted;
+  sorted.reserve(order.size());
+  for (const uint32_t triangle : order)
+    sorted.push_back(part.triangles[triangle]);
+  part.triangles = std::move(sorted);
   return part;
 }
 
-void Solid::divide(Part& part, uint32_t box_index) {
+void Solid::divide(Part& part, uint32_t box_index, std::span<uint32_t> order) {
   Box box = part.boxes[box_index];
-  const auto begin = part.triangles.begin() + box.first;
+  const std::span<uint32_t> own = order.subspan(box.first, box.count);
   box.low = Vec3(std::numeric_limits<double>::max());
   box.high = -box.low;
-  for (auto triangle = begin; triangle != begin + box.count; ++triangle) {
-    for (const Vec3& corner : triangle->corner) {
+  for (const uint32_t triangle : own) {
+    for (const Vec3& corner : part.triangles[triangle].corner) {
       box.low = glm::min(box.low, corner);
       box.high = glm::max(box.high, corner);
     }
   }
   const uint32_t count = box.count;
   if (count <= kLeaf) {
+    // In the order of the mesh, so that ties do not depend on how a library selects.
+    std::ranges::sort(own);
     part.boxes[box_index] = box;
     return;
   }
   const Vec3 extent = box.high - box.low;
   const glm::length_t axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
-  std::stable_sort(begin, begin + count, [axis](const Triangle& a, const Triangle& b) {
-    return (a.corner[0][axis] + a.corner[1][axis]) + a.corner[2][axis] <
-           (b.corner[0][axis] + b.corner[1][axis]) + b.corner[2][axis];
+  const auto middle = [&part, axis](uint32_t triangle) {
+    const std::array<Vec3, 3>& corner = part.triangles[triangle].corner;
+    return (corner[0][axis] + corner[1][axis]) + corner[2][axis];
+  };
+  std::nth_element(own.begin(), own.begin() + count / 2, own.end(), [&middle](uint32_t a, uint32_t b) {
+    const double x = middle(a), y = middle(b);
+    return x < y || (x == y && a < b);
   });
   const auto children = static_cast<uint32_t>(part.boxes.size());
   part.boxes.push_back({Vec3(0.0), Vec3(0.0), box.first, count / 2});
@@ -211,26 +226,39 @@ void Solid::divide(Part& part, uint32_t box_index) {
   box.first = children;
   box.count = 0;
   part.boxes[box_index] = box;
-  divide(part, children);
-  divide(part, children + 1);
+  divide(part, children, order);
+  divide(part, children + 1, order);
 }
 
 std::optional<NearestSurface> Solid::nearest_of(const Part& part, const Vec3& point, double within) {
   double best = within * within;
   const Triangle* nearest = nullptr;
   Vec3 weights(0.0);
-  std::array<uint32_t, kDeepest> stack{};
+  struct Waiting {
+    uint32_t box;
+    double distance;  // squared, from the point to the box
+  };
+  std::array<Waiting, kDeepest> stack;
   size_t depth = 0;
-  stack[depth++] = 0;
+  const auto wait = [&](uint32_t box, double distance) {
+    if (distance <= best) stack[depth++] = {box, distance};
+  };
+  wait(0, squared_distance(part.boxes[0].low, part.boxes[0].high, point));
   while (depth > 0) {
-    const Box& box = part.boxes[stack[--depth]];
-    if (squared_distance(box.low, box.high, point) > best) continue;
+    const Waiting next = stack[--depth];
+    if (next.distance > best) continue;
+    const Box& box = part.boxes[next.box];
     if (box.count == 0) {
       const Box& a = part.boxes[box.first];
       const Box& b = part.boxes[box.first + 1];
-      const bool a_first = squared_distance(a.low, a.high, point) <= squared_distance(b.low, b.high, point);
-      stack[depth++] = box.first + (a_first ? 1 : 0);
-      stack[depth++] = box.first + (a_first ? 0 : 1);
+      const double to_a = squared_distance(a.low, a.high, point), to_b = squared_distance(b.low, b.high, point);
+      if (to_a <= to_b) {
+        wait(box.first + 1, to_b);
+        wait(box.first, to_a);
+      } else {
+        wait(box.first, to_a);
+        wait(box.first + 1, to_b);
+      }
       continue;
     }
     for (uint32_t i = box.first; i < box.first + box.count; ++i) {

@@ -2,6 +2,7 @@
 // Performances whose faults are known because they were put there.
 #include "check/check.h"
 
+#include "kinematics/arm_ik.h"
 #include "kinematics/elementary.h"
 #include "kinematics/rotation.h"
 #include "shipped.h"
@@ -85,11 +86,15 @@ TEST_F(Check, AHandInTheHeadIsAsDeepAsItWasPut) {
 TEST_F(Check, TouchingPartsMayPressWhereTheEntrySaysSo) {
   const Site chin = shipped().signer->body().site(Location::kChin, Side::kRight, Vec3(0.0), true);
   HandState state = shown_;
-  state.wrist.rotation = orient_hand(shipped().signer->hand_frame(Side::kRight), Vec3(0, 0.2, -1), Vec3(0, -1, 0));
+  state.wrist.rotation =
+      orient_hand(shipped().signer->hand_frame(Side::kRight), Vec3(0.8, 0.5, -0.5), Vec3(0.5, -0.8, 0.0));
   const Vec3 tip = shipped().signer->hand(Side::kRight).site(HandPart::kMiddleTip, state.angles).position;
   Score score = score_of_states({state, state}, 0.2);
   const auto put = [&](double deep) {
     state.wrist.position = chin.position - chin.normal * deep - state.wrist.rotation * tip;
+    const Skeleton& skeleton = shipped().figure.skeleton;
+    const int parent = skeleton.node(skeleton.find("shoulder_r")).parent;
+    state.swivel = natural_swivel(skeleton, Side::kRight, {kIdentity, skeleton.rest_position(parent)}, state.wrist);
     score.hands[1].front().from = score.hands[1].front().to = state;
     HandTarget target;
     target.begin = ticks(0.05);
@@ -115,13 +120,15 @@ TEST_F(Check, DirectionsAndHoldsAreThoseOfTheTarget) {
   target.begin = ticks(0.1);
   target.end = ticks(0.16);
   target.palm = shown_.wrist.rotation * frame.palm;
-  // The fingers are stated ten degrees to the side of where they point.
-  target.fingers = axis_angle(target.palm, 10.0 * kDegree) * (shown_.wrist.rotation * frame.fingers);
+  // The fingers were chosen to point ten degrees to the side of where they do, and are stated another twenty off.
+  target.reached = axis_angle(target.palm, 10.0 * kDegree) * shown_.wrist.rotation;
+  target.fingers = axis_angle(target.palm, 30.0 * kDegree) * (shown_.wrist.rotation * frame.fingers);
   target.angles = shown_.angles;
   score.targets[1] = {target};
   score.glosses = {{"X", 0, ticks(0.4), false, 0}};
   const Verdict verdict = checker_.check(score);
   EXPECT_NEAR(verdict.of(Measure::kDirection)->value, 10.0, 0.2);
+  EXPECT_NEAR(verdict.of(Measure::kLeaning)->value, 20.0, 0.2);
   EXPECT_NEAR(verdict.of(Measure::kHold)->value, 60.0, 1.0);
   EXPECT_FALSE(verdict.good(Measure::kHold));
   EXPECT_NEAR(verdict.of(Measure::kHandshape)->value, 0.0, 1e-6);

@@ -57,7 +57,7 @@ class Solid {
 
   static Part make_part(std::span<const glm::vec3> positions, std::span<const uint32_t> indices,
                         std::span<const uint32_t> triangles);
-  static void divide(Part& part, uint32_t box);
+  static void divide(Part& part, uint32_t box, std::span<uint32_t> order);
   static std::optional<NearestSurface> nearest_of(const Part& part, const Vec3& point, double within);
 
   std::vector<Part> parts_;

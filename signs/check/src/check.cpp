@@ -24,6 +24,7 @@ constexpr std::array<MeasureInfo, kMeasureCount> kInfos = {{
     {"penetration", "mm", 0.0, 0.05},
     {"pressing", "mm", 0.0, 3.0},
     {"direction", "degrees", 0.0, 5.0},
+    {"leaning", "degrees", 0.0, 22.5},
     {"handshape", "degrees", 0.0, 2.0},
     {"joint-limits", "degrees", 0.0, 0.05},
     {"angular-velocity", "%", 0.0, 1.0},
@@ -209,13 +210,17 @@ void Judge::at_targets() {
       // What the trunk's turn does to directions is not the hand's fault.
       const Quat trunk = world_[static_cast<size_t>(skeleton_.find("spine_base"))].rotation;
       const Quat turned = glm::conjugate(trunk) * wrist.rotation;
-      note(Measure::kDirection, degrees_between(turned * frame.fingers, target.fingers), target.end,
+      for (const Vec3& axis : {frame.fingers, frame.palm})
+        note(Measure::kDirection, degrees_between(turned * axis, target.reached * axis), target.end,
+             name(arm.wrist) + (axis == frame.fingers ? " fingers" : " palm"));
+      note(Measure::kLeaning, degrees_between(target.reached * frame.fingers, target.fingers), target.end,
            name(arm.wrist) + " fingers");
       // Of the palm only what lies across the fingers can be stated freely.
       const Vec3 fingers = unit(target.fingers);
       const Vec3 palm = target.palm - fingers * glm::dot(target.palm, fingers);
       if (glm::dot(palm, palm) > 1e-3)
-        note(Measure::kDirection, degrees_between(turned * frame.palm, palm), target.end, name(arm.wrist) + " palm");
+        note(Measure::kLeaning, degrees_between(target.reached * frame.palm, palm), target.end,
+             name(arm.wrist) + " palm");
       Pose stated = pose_;
       pose_hand(skeleton_, side, target.angles, stated);
       for (const auto& digit : arm.digits)

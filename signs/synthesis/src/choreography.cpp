@@ -44,8 +44,8 @@ class Choreographer {
   void stay(size_t side, Tick until);
   /// Fills the track of a hand with a segment that ends then; nothing when it reaches so far already.
   void append(size_t side, Tick until, HandSegment segment);
-  Way way_to(size_t side, const HandState& to, const Vec3& bulge) const {
-    return find_way(signer_, static_cast<Side>(side), hand_[side], to, bulge);
+  Way way_to(size_t side, const HandState& to, const Vec3& bulge, const HandSegment* other = nullptr) const {
+    return find_way(signer_, static_cast<Side>(side), hand_[side], to, bulge, other);
   }
   /// Brings the base hand down from where it is, beginning with what was not yet laid out since `since`.
   void lower_left(Tick since, const HandState& low);
@@ -125,7 +125,10 @@ void Choreographer::transition(const SignPerformance& performance, const Unit& u
     const double lift = std::min(0.06, 0.3 * distance);
     Vec3 bulge = 0.5 * lift * (performance.approach[side] + leave_[side]);
     bulge.z += std::max(0.0, 0.22 * (distance - 0.08));
-    ways[side] = way_to(side, to, bulge);
+    HandSegment left = ways[kLeft].segment;
+    if (!performance.active[kLeft]) left.from = left.to = hand_[kLeft];
+    ways[side] =
+        way_to(side, to, bulge, side == kRight && (performance.active[kLeft] || raised_[kLeft]) ? &left : nullptr);
     ways[side].segment.digits_lead = unit.spelled ? 0.85 : 0.75;
     time = std::max(time, ways[side].seconds);
     raised_[side] = true;
@@ -147,15 +150,26 @@ void Choreographer::add_beats(const SignPerformance& performance, const Unit& un
       time = std::max(time, stroke::kLetterHold * 0.8 * options_.speed);
     }
     const Tick begin = now_;
+    std::array<HandSegment, 2> segments = beat.hands;
+    for (const size_t side : {kLeft, kRight}) {
+      if (!performance.active[side]) continue;
+      HandSegment& segment = segments[side];
+      segment.begin = begin;
+      segment.end = begin + scaled(time);
+      HandSegment left = segments[kLeft];
+      if (!performance.active[kLeft]) left.from = left.to = hand_[kLeft];
+      left.begin = segment.begin;
+      left.end = segment.end;
+      time = std::max(time, keep_clear(signer_, static_cast<Side>(side), segment,
+                                       side == kRight && raised_[kLeft] ? &left : nullptr));
+    }
     const Tick end = begin + scaled(time);
     for (const size_t side : {kLeft, kRight}) {
       if (!performance.active[side]) continue;
       stay(side, begin);
-      HandSegment segment = beat.hands[side];
-      segment.begin = begin;
-      segment.end = end;
-      score_.hands[side].push_back(segment);
-      hand_[side] = segment.to;
+      segments[side].end = end;
+      score_.hands[side].push_back(segments[side]);
+      hand_[side] = segments[side].to;
       show(side, beat.target[side], beat.hold ? begin : end, end);
     }
     now_ = end;

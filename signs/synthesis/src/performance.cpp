@@ -156,7 +156,7 @@ void Performance::sample_hand(Side side, Tick time, const Transform& trunk, cons
   const Skeleton& skeleton = signer_->figure().skeleton;
   const ArmNodes nodes = arm_nodes(skeleton, side);
   const Transform parent{trunk.rotation, apply(trunk, skeleton.rest_position(skeleton.node(nodes.shoulder).parent))};
-  const ArmSolution arm = solve_arm(skeleton, side, parent, wrist, state.swivel);
+  const ArmSolution arm = signer_->reach(side).limited(solve_arm(skeleton, side, parent, wrist, state.swivel));
   pose.rotation[static_cast<size_t>(nodes.shoulder)] = arm.shoulder;
   pose.rotation[static_cast<size_t>(nodes.elbow)] = arm.elbow;
   pose.rotation[static_cast<size_t>(nodes.wrist)] = arm.wrist;

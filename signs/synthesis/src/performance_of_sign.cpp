@@ -27,6 +27,8 @@ HandTarget mirror(const HandTarget& target) {
   image.fingers = mirror(target.fingers);
   image.palm = mirror(target.palm);
   image.part = mirror(target.part);
+  const Quat& q = target.reached;
+  image.reached = Quat(q.w, q.x, -q.y, -q.z);
   return image;
 }
 
@@ -273,6 +275,7 @@ std::optional<HandTarget> SignBuilder::shown(const HandState& state, const std::
     HandTarget target;
     target.fingers = to_vector(posture.fingers);
     target.palm = to_vector(posture.palm);
+    target.reached = placed[i].state.wrist.rotation;
     target.angles = placed[i].state.angles;
     target.touches = placed[i].touching;
     target.part = placed[i].part;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "synthesis/signer.h"
 
+#include "hand_fit.h"
 #include "kinematics/arm_ik.h"
 #include "kinematics/elementary.h"
-#include "kinematics/limits.h"
 #include "kinematics/rotation.h"
 #include "kinematics/surface.h"
 #include "phonology/vocabulary.h"
@@ -20,27 +20,20 @@ namespace {
 constexpr double kPalmReach = 0.045;
 // A hand that is `near` a place keeps this distance, metres.
 constexpr double kNearDistance = 0.015;
-// Where the natural elbow would put the forearm into the trunk, the arm swings about the line from shoulder to wrist
-// until it is clear. Radii in metres.
-constexpr double kElbowRadius = 0.045, kWristRadius = 0.028;
-constexpr int kSwivelSteps = 28;
-constexpr double kSwivelStep = 5.0 * kDegree;
+// How deep what touches may press in, and how far off all else keeps, metres.
+constexpr double kPresses = 0.0012, kKeepsOff = 0.0015;
 
-// A hand whose stated direction would break the joint limits leans, as people's hands do: strain (radians beyond the
-// limits) counts this much more than leaning, and no hand leans farther than it could be mistaken for another of the 26
-// directions, which lie 45 degrees apart.
-constexpr double kStrainWeight = 3.0, kComfort = 2.0 * kDegree, kLargestLean = 40.0 * kDegree;
-constexpr double kFirstLean = 12.0 * kDegree, kLastLean = 1.0 * kDegree;
-constexpr int kLeanRounds = 2;
-
-double mix(double a, double b, double t) {
-  return a + (b - a) * t;
-}
-
-Transform parent_of_shoulder(const Skeleton& skeleton, Side side) {
-  const ArmNodes nodes = arm_nodes(skeleton, side);
-  return {kIdentity, skeleton.rest_position(skeleton.node(nodes.shoulder).parent)};
-}
+// What an elbow's place costs. A hand leans freely by a little, then a degree costs as much as moving the elbow by six,
+// and more from where it is nearly half way to another of the 26 directions. Of a forearm in the body, 3 mm cost as
+// much as a radian of swivel.
+constexpr double kPreferredSwivel = 25.0 * kDegree, kLowestSwivel = -60.0 * kDegree, kHighestSwivel = 150.0 * kDegree;
+constexpr int kSwivels = 15;
+constexpr double kFreeLean = 2.0 * kDegree, kTrueLean = 20.0 * kDegree;
+constexpr double kLeanCost = 36.0, kFarLeanCost = 200.0, kExcessCost = 2000.0, kOffCost = 1e4, kDepthCost = 1e5;
+constexpr double kContactLean = 12.0 * kDegree;
+constexpr double kComesFrom = 0.03, kWell = 0.002;
+constexpr size_t kAllPoints = 1000;
+constexpr double kShiftCost = 120.0, kLargestShift = 0.2;  // of a hand in the air; per square metre, metres
 
 /// The part that a hand touches with where the entry does not say: a pointing hand its tip, a broad one the palm when
 /// that faces the place, else the fingertips.
@@ -66,6 +59,34 @@ bool is_broad(Location location) {
       return true;
     default:
       return false;
+  }
+}
+
+/// How far about its site a part of the hand extends, metres: any point of it may be what touches.
+double extent(HandPart part) {
+  switch (part) {
+    case HandPart::kPalm:
+    case HandPart::kBack:
+    case HandPart::kFingers:
+      return 0.05;
+    case HandPart::kRadial:
+    case HandPart::kUlnar:
+    case HandPart::kFingertips:
+    case HandPart::kKnuckles:
+      return 0.035;
+    case HandPart::kFistThumbSide:
+    case HandPart::kFistUlnar:
+      return 0.03;
+    case HandPart::kIndexMiddleTips:
+    case HandPart::kThumbIndexTips:
+    case HandPart::kIndexMiddle:
+    case HandPart::kThumbWeb:
+    case HandPart::kWrist:
+    case HandPart::kIndexSide:
+    case HandPart::kThumbSide:
+      return 0.02;
+    default:
+      return 0.009;
   }
 }
 
@@ -96,9 +117,22 @@ Signer::Signer(const Figure& figure, const FigureTraits& traits, BodySites body,
       traits_(traits),
       body_(std::move(body)),
       hands_(std::move(hands)),
-      trunk_(figure.segments[static_cast<size_t>(figure.skeleton.find("spine_base"))]),
-      trunk_place_(figure.skeleton.rest_position(figure.skeleton.find("spine_base"))),
-      frames_{rest_hand_frame(figure.skeleton, Side::kLeft), rest_hand_frame(figure.skeleton, Side::kRight)} {}
+      surface_(figure),
+      reach_{ArmReach(figure.skeleton, Side::kLeft), ArmReach(figure.skeleton, Side::kRight)},
+      frames_{rest_hand_frame(figure.skeleton, Side::kLeft), rest_hand_frame(figure.skeleton, Side::kRight)},
+      nodes_{arm_nodes(figure.skeleton, Side::kLeft), arm_nodes(figure.skeleton, Side::kRight)} {
+  const Skeleton& skeleton = figure.skeleton;
+  for (size_t side = 0; side < 2; ++side) {
+    const ArmNodes& nodes = nodes_[side];
+    parent_[side] = skeleton.rest_position(skeleton.node(nodes.shoulder).parent);
+    SurfacePatch& lower = lower_upper_arm_[side];
+    lower = surface_.patch(nodes.shoulder);
+    const Vec3 bone = skeleton.node(nodes.elbow).offset;
+    std::erase_if(lower.points,
+                  [&](const Site& point) { return glm::dot(point.position, bone) < 0.6 * glm::dot(bone, bone); });
+    lower = balled(std::move(lower));
+  }
+}
 
 Result<Signer> Signer::build(const Figure& figure, const FigureTraits& traits) {
   auto body = BodySites::build(figure, traits.face);
@@ -112,8 +146,8 @@ Result<Signer> Signer::build(const Figure& figure, const FigureTraits& traits) {
 
 ArmPlacement Signer::place_arm(Side side, const HandState& state) const {
   const Skeleton& skeleton = figure_->skeleton;
-  const ArmNodes nodes = arm_nodes(skeleton, side);
-  const Transform parent = parent_of_shoulder(skeleton, side);
+  const ArmNodes& nodes = nodes_[static_cast<size_t>(side)];
+  const Transform parent{kIdentity, parent_[static_cast<size_t>(side)]};
   const ArmSolution arm = solve_arm(skeleton, side, parent, state.wrist, state.swivel);
   ArmPlacement placed;
   placed.shoulder = {parent.rotation * arm.shoulder, apply(parent, skeleton.node(nodes.shoulder).offset)};
@@ -132,7 +166,7 @@ Site Signer::other_site(Location location, HandPart touching, Side other_side, c
     // Upper arms are about as thick as a quarter of their length; the exact skin is found by a ray in the arm's own
     // frame.
     const Vec3 out = unit(comes_from - unit(axis) * glm::dot(comes_from, unit(axis)));
-    const ArmNodes nodes = arm_nodes(figure_->skeleton, other_side);
+    const ArmNodes& nodes = nodes_[static_cast<size_t>(other_side)];
     const std::array<int, 1> only = {nodes.shoulder};
     const Quat to_rest = glm::conjugate(arm.shoulder.rotation);
     const Vec3 rest_middle =
@@ -202,113 +236,245 @@ PlacedHand Signer::place(const Posture& posture, const Handshape& handshape, Sid
   if (contact && kind == ContactKind::kNear) site.position += site.normal * kNearDistance;
   placed.normal = placed.touching ? site.normal : -palm;
   state.follows_head = is_on_head(location) && (placed.touching || kind == ContactKind::kNear) ? 1.0 : 0.0;
-  reach_comfortably(side, local.position, site.position, state);
+
+  // Where the hands are each other's images the other one is kept out by the plane between them.
+  const bool meets_hand = is_on_other_hand(location) || on_arm;
+  std::vector<Obstacle> obstacles = body_obstacles(placed.touching && !meets_hand);
+  if (counterpart.state != nullptr && !counterpart.mirrored)
+    add_other_arm(other(side), *counterpart.state, placed.touching && meets_hand, obstacles);
+  const double outside = side == Side::kRight ? -1.0 : 1.0;
+  std::optional<MirrorPlane> mirror;
+  if (counterpart.mirrored && site.position.x * outside > -0.01)
+    mirror = MirrorPlane{outside, placed.touching && meets_hand ? kPresses / 2.0 : -kKeepsOff,
+                         placed.touching && meets_hand};
+
+  Wish wish{state.wrist.rotation, local.position, site.position, !contact};
+  settle(side, wish, obstacles, state);
+  const std::vector<SurfacePatch> patches = hand_patches(side, state.angles, kAllPoints);
+  std::vector<Vec3> touching;
+  if (placed.touching) touching = region(part, local, patches);
+  const auto admit = [&](const Vec3& pivot, Transform& wrist, double& swivel) {
+    constexpr double kEnough = 0.1 * kDegree, kStep = 4.0 * kDegree;
+    const Vec3& parent = parent_[static_cast<size_t>(side)];
+    const Vec3 place = apply(wrist, pivot) - parent;
+    // A centimetre of the forearm in something is as bad as six degrees of leaning.
+    const auto missing = [&](const ArmReach::Reached& reached, double trial_swivel) {
+      HandState trial = state;
+      trial.wrist = {reached.wrist.rotation, reached.wrist.position + parent};
+      trial.swivel = trial_swivel;
+      return reached.lean + 3.0 * reached.excess + 10.0 * depth_in(arm_patches(side, trial), obstacles).metres;
+    };
+    ArmReach::Reached best = reach(side).reach(wrist.rotation, pivot, place, swivel);
+    double least = missing(best, swivel);
+    for (const double sign : {1.0, -1.0}) {
+      for (int i = 0; i < 4 && least > kEnough; ++i) {
+        const ArmReach::Reached next = reach(side).reach(wrist.rotation, pivot, place, swivel + sign * kStep);
+        const double found = missing(next, swivel + sign * kStep);
+        if (found >= least) break;
+        best = next;
+        least = found;
+        swivel += sign * kStep;
+      }
+    }
+    wrist = {best.wrist.rotation, best.wrist.position + parent};
+    return best.excess;
+  };
+  // It comes from outside, so that what it meets is met from the right side. Where something is in the way it tries
+  // from where it is wanted.
+  const double free_lean =
+      std::max(kContactLean, angle_between(wish.rotation, state.wrist.rotation) + 0.5 * kContactLean);
+  const HandFitGoal goal{wish.rotation, free_lean, local.position, site.position, touching, obstacles, mirror, admit};
+  Transform outside_it = state.wrist;
+  if (placed.touching) outside_it.position += site.normal * kComesFrom;
+  HandFit fit = fit_hand(outside_it, state.swivel, patches, goal);
+  if (placed.touching && fit.cost > kWell) {
+    const HandFit direct = fit_hand(state.wrist, state.swivel, patches, goal);
+    if (direct.cost < fit.cost) fit = direct;
+  }
+  state.wrist = fit.wrist;
+  state.swivel = fit.swivel;
+  if (placed.touching) placed.part = fit.touching;
   return placed;
 }
 
-double Signer::strain(Side side, const HandState& state) const {
-  const Skeleton& skeleton = figure_->skeleton;
-  const ArmNodes nodes = arm_nodes(skeleton, side);
-  const ArmSolution arm = solve_arm(skeleton, side, parent_of_shoulder(skeleton, side), state.wrist, state.swivel);
-  return limit_violation(skeleton, nodes.shoulder, arm.shoulder) + limit_violation(skeleton, nodes.elbow, arm.elbow) +
-         limit_violation(skeleton, nodes.wrist, arm.wrist);
-}
-
-void Signer::reach_comfortably(Side side, const Vec3& part, const Vec3& target, HandState& state) const {
-  const Quat wanted = state.wrist.rotation;
-  const auto turn_to = [&](const Vec3& lean) {
-    state.wrist.rotation = from_rotation_vector(lean) * wanted;
-    state.wrist.position = target - state.wrist.rotation * part;
+void Signer::settle(Side side, const Wish& wish, std::span<const Obstacle> obstacles, HandState& state) const {
+  const ArmReach& arm = reach_[static_cast<size_t>(side)];
+  const Vec3& parent = parent_[static_cast<size_t>(side)];
+  struct Candidate {
+    double swivel = 0.0, cost = 1e9;
+    Transform wrist;
   };
-  Vec3 lean(0.0);
-  turn_to(lean);
-  state.swivel = swivel_for(side, state.wrist);
-  const auto cost = [&](const Vec3& candidate) {
-    const double angle = std::sqrt(glm::dot(candidate, candidate));
-    if (angle > kLargestLean) return 1e3;
-    turn_to(candidate);
-    return kStrainWeight * strain(side, state) + angle;
+  const auto free_of_depth = [&](double swivel, const Vec3& shift) {
+    const ArmReach::Reached reached = arm.reach(wish.rotation, wish.pivot, wish.target + shift - parent, swivel);
+    Candidate candidate{swivel, 0.0, {reached.wrist.rotation, reached.wrist.position + parent}};
+    const double away = swivel - kPreferredSwivel, lean = std::max(0.0, reached.lean - kFreeLean),
+                 far = std::max(0.0, reached.lean - kTrueLean);
+    candidate.cost = away * away + kLeanCost * lean * lean + kFarLeanCost * far * far +
+                     kExcessCost * reached.excess * reached.excess + kOffCost * reached.off * reached.off +
+                     kShiftCost * glm::dot(shift, shift);
+    return candidate;
   };
-  // Pattern search (Hooke & Jeeves) over the lean, with the swivel found anew after each round.
-  for (int round = 0; round < kLeanRounds; ++round) {
-    double least = cost(lean);
-    if (least < kStrainWeight * kComfort) break;
-    for (double step = kFirstLean; step > kLastLean; step *= 0.5) {
-      for (bool better = true; better;) {
+  const auto with_depth = [&](Candidate candidate, double enough) {
+    if (candidate.cost >= enough) return candidate;
+    HandState trial = state;
+    trial.wrist = candidate.wrist;
+    trial.swivel = candidate.swivel;
+    const std::array<SurfacePatch, 2> patches = arm_patches(side, trial);
+    const double depth = depth_in(patches, obstacles).metres;
+    candidate.cost += kDepthCost * depth * depth;
+    return candidate;
+  };
+  const auto best_for = [&](const Vec3& shift, double enough) {
+    std::array<Candidate, kSwivels> grid;
+    for (int i = 0; i < kSwivels; ++i)
+      grid[static_cast<size_t>(i)] =
+          free_of_depth(kLowestSwivel + (kHighestSwivel - kLowestSwivel) * i / (kSwivels - 1), shift);
+    std::stable_sort(grid.begin(), grid.end(), [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
+    Candidate best;
+    best.cost = enough;
+    for (const Candidate& candidate : grid) {
+      if (candidate.cost >= best.cost) break;
+      const Candidate found = with_depth(candidate, best.cost);
+      if (found.cost < best.cost) best = found;
+    }
+    if (best.cost >= enough) return best;
+    for (double step = 7.0 * kDegree; step > 1.5 * kDegree; step *= 0.5) {
+      for (const double sign : {1.0, -1.0}) {
+        const double swivel = std::clamp(best.swivel + sign * step, kLowestSwivel, kHighestSwivel);
+        const Candidate found = with_depth(free_of_depth(swivel, shift), best.cost);
+        if (found.cost < best.cost) best = found;
+      }
+    }
+    return best;
+  };
+  Vec3 shift(0.0);
+  Candidate best = best_for(shift, 1e9);
+  if (wish.free) {
+    // Pattern search (Hooke & Jeeves) over the place.
+    constexpr double kWorthIt = 0.35;  // the elbow's own comfort does not move the hand
+    for (double step = 0.06; step > 0.025 && best.cost > kWorthIt; step *= 0.5) {
+      for (bool better = true; better && best.cost > kWorthIt;) {
         better = false;
-        for (int axis = 0; axis < 3; ++axis) {
+        for (glm::length_t axis = 0; axis < 3; ++axis) {
           for (const double sign : {1.0, -1.0}) {
-            Vec3 candidate = lean;
+            Vec3 candidate = shift;
             candidate[axis] += sign * step;
-            const double found = cost(candidate);
-            if (found >= least - 1e-9) continue;
-            least = found;
-            lean = candidate;
+            if (glm::dot(candidate, candidate) > kLargestShift * kLargestShift) continue;
+            const Candidate found = best_for(candidate, best.cost - 0.02);
+            if (found.cost >= best.cost - 0.02) continue;
+            best = found;
+            shift = candidate;
             better = true;
           }
         }
       }
     }
-    turn_to(lean);
-    state.swivel = swivel_for(side, state.wrist);
   }
-  turn_to(lean);
+  state.wrist = best.wrist;
+  state.swivel = best.swivel;
 }
 
-void Signer::sink(const Vec3& centre, double radius, Depth& depth) const {
-  constexpr double kReach = 0.3;  // no point of a trunk lies farther below its surface, metres
-  const Vec3 place = centre - trunk_place_;
-  for (glm::length_t i = 0; i < 3; ++i)
-    if (place[i] < trunk_.low()[i] - radius || place[i] > trunk_.high()[i] + radius) return;
-  const auto nearest = trunk_.nearest(place, kReach);
-  if (!nearest || radius - nearest->distance <= depth.metres) return;
-  depth.metres = radius - nearest->distance;
-  depth.out = nearest->normal;
+double Signer::strain(Side side, const HandState& state) const {
+  const Vec3& parent = parent_[static_cast<size_t>(side)];
+  return reach(side).excess({state.wrist.rotation, state.wrist.position - parent}, state.swivel);
 }
 
-Depth Signer::hand_depth(Side side, const HandState& state) const {
-  constexpr double kFingerRadius = 0.008, kPalmRadius = 0.015;
-  Depth depth;
-  sink(state.wrist.position, kWristRadius, depth);
-  const auto part = [&](HandPart at, double radius) {
-    sink(apply(state.wrist, hand(side).site(at, state.angles).position), radius, depth);
+std::vector<Obstacle> Signer::body_obstacles(bool touches) const {
+  std::vector<Obstacle> obstacles;
+  const Skeleton& skeleton = figure_->skeleton;
+  for (const char* name : {"spine_base", "neck_base", "head_base"}) {
+    const int node = skeleton.find(name);
+    if (const Solid* solid = surface_.solid(node))
+      obstacles.push_back(
+          make_obstacle(*solid, {kIdentity, skeleton.rest_position(node)}, touches ? kPresses : -kKeepsOff, touches));
+  }
+  return obstacles;
+}
+
+void Signer::add_other_arm(Side other_side, const HandState& other, bool touches,
+                           std::vector<Obstacle>& obstacles) const {
+  const ArmNodes& nodes = nodes_[static_cast<size_t>(other_side)];
+  const ArmPlacement arm = place_arm(other_side, other);
+  const double allowed = touches ? kPresses : -kKeepsOff;
+  const auto add = [&](int node, const Transform& place) {
+    if (const Solid* solid = surface_.solid(node)) obstacles.push_back(make_obstacle(*solid, place, allowed, touches));
   };
-  part(HandPart::kPalm, kPalmRadius);
-  for (const HandPart tip :
-       {HandPart::kThumbTip, HandPart::kIndexTip, HandPart::kMiddleTip, HandPart::kLittleTip, HandPart::kIndexKnuckle})
-    part(tip, kFingerRadius);
-  return depth;
+  add(nodes.shoulder, arm.shoulder);
+  add(nodes.elbow, arm.elbow);
+  add(nodes.wrist, other.wrist);
+  const auto digits = hand(other_side).digits(other.angles);
+  for (size_t d = 0; d < 5; ++d)
+    for (size_t j = 0; j < 3; ++j)
+      add(nodes.digits[d][j],
+          {other.wrist.rotation * digits[d][j].rotation, apply(other.wrist, digits[d][j].position)});
+}
+
+std::vector<SurfacePatch> Signer::hand_patches(Side side, const HandAngles& angles, size_t points) const {
+  const ArmNodes& nodes = nodes_[static_cast<size_t>(side)];
+  const auto first = [&](int node, const Transform& place, size_t count) {
+    return placed(surface_.patch(node), place, count);
+  };
+  std::vector<SurfacePatch> patches = {first(nodes.wrist, {}, 3 * points)};
+  const auto digits = hand(side).digits(angles);
+  for (size_t d = 0; d < 5; ++d)
+    for (size_t j = 0; j < 3; ++j)
+      patches.push_back(first(nodes.digits[d][j], digits[d][j], points));
+  return patches;
+}
+
+std::array<SurfacePatch, 2> Signer::arm_patches(Side side, const HandState& state) const {
+  const ArmPlacement arm = place_arm(side, state);
+  return {placed(surface_.patch(nodes_[static_cast<size_t>(side)].elbow), arm.elbow),
+          placed(lower_upper_arm_[static_cast<size_t>(side)], arm.shoulder)};
+}
+
+std::vector<Vec3> Signer::region(HandPart part, const Site& site, std::span<const SurfacePatch> hand) {
+  const double radius = extent(part);
+  std::vector<Vec3> points;
+  for (const SurfacePatch& patch : hand) {
+    for (const Site& point : patch.points) {
+      const Vec3 apart = point.position - site.position;
+      if (glm::dot(apart, apart) < radius * radius && glm::dot(point.normal, site.normal) > 0.5)
+        points.push_back(point.position);
+    }
+  }
+  if (points.empty()) points.push_back(site.position);
+  return points;
+}
+
+Depth Signer::coarse_depth(Side side, const HandState& state, std::span<const Obstacle> obstacles) const {
+  constexpr size_t kFew = 6;
+  std::vector<SurfacePatch> patches = hand_patches(side, state.angles, kFew);
+  // The palm, and each digit as a whole.
+  std::vector<SurfacePatch> parts = {placed(patches[0], state.wrist)};
+  for (size_t digit = 0; digit < 5; ++digit) {
+    SurfacePatch whole = placed(patches[1 + 3 * digit], state.wrist);
+    for (size_t joint = 1; joint < 3; ++joint) {
+      const SurfacePatch next = placed(patches[1 + 3 * digit + joint], state.wrist);
+      whole.points.insert(whole.points.end(), next.points.begin(), next.points.end());
+    }
+    parts.push_back(balled(std::move(whole)));
+  }
+  parts.push_back(arm_patches(side, state)[0]);
+  return depth_in(parts, obstacles);
+}
+
+Depth Signer::depth_in_body(Side side, const HandState& state) const {
+  return coarse_depth(side, state, body_obstacles(false));
+}
+
+Depth Signer::depth_in_arm(Side side, const HandState& state, const HandState& other_arm) const {
+  // Hands that are an arm's length apart do not meet.
+  constexpr double kApart = 0.5;
+  const Vec3 apart = state.wrist.position - other_arm.wrist.position;
+  if (glm::dot(apart, apart) > kApart * kApart) return {};
+  std::vector<Obstacle> obstacles;
+  add_other_arm(other(side), other_arm, false, obstacles);
+  return coarse_depth(side, state, obstacles);
 }
 
 Depth Signer::forearm_depth(Side side, const HandState& state) const {
-  const ArmPlacement arm = place_arm(side, state);
-  Depth depth;
-  for (const double along : {0.0, 0.3, 0.6, 0.9})
-    sink(arm.elbow.position + (arm.wrist.position - arm.elbow.position) * along, mix(kElbowRadius, kWristRadius, along),
-         depth);
-  return depth;
-}
-
-double Signer::swivel_for(Side side, const Transform& world_from_wrist) const {
-  const Transform parent = parent_of_shoulder(figure_->skeleton, side);
-  const double natural = natural_swivel(figure_->skeleton, side, parent, world_from_wrist);
-  const auto depth = [&](double swivel) {
-    HandState state;
-    state.wrist = world_from_wrist;
-    state.swivel = swivel;
-    return forearm_depth(side, state).metres;
-  };
-  double best = natural, least = depth(natural);
-  for (int step = 1; step <= kSwivelSteps && least > traits_.trunk_gives; ++step) {
-    for (const double sign : {1.0, -1.0}) {
-      const double swivel = natural + sign * step * kSwivelStep;
-      const double found = depth(swivel);
-      if (found >= least - 1e-4) continue;
-      least = found;
-      best = swivel;
-    }
-  }
-  return best;
+  return depth_in(arm_patches(side, state), body_obstacles(false));
 }
 
 HandState Signer::rest(Side side) const {
@@ -316,7 +482,7 @@ HandState Signer::rest(Side side) const {
   const double s = side == Side::kRight ? -1.0 : 1.0;
   // Straight down from the shoulder and a little out, the elbow just bent.
   const Skeleton& skeleton = figure_->skeleton;
-  const ArmNodes nodes = arm_nodes(skeleton, side);
+  const ArmNodes& nodes = nodes_[static_cast<size_t>(side)];
   const Vec3 upper = skeleton.node(nodes.elbow).offset, fore = skeleton.node(nodes.wrist).offset;
   const double reach = 0.975 * (std::sqrt(glm::dot(upper, upper)) + std::sqrt(glm::dot(fore, fore)));
   state.wrist.rotation = orient_hand(hand_frame(side), Vec3(s * 0.06, -1.0, 0.16), Vec3(-s, 0.0, -0.25));

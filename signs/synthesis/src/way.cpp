@@ -12,46 +12,70 @@ namespace auslan {
 namespace {
 
 constexpr int kSamples = 8;
-constexpr double kTolerated = 0.003, kRoom = 0.01;  // metres
-constexpr double kFarthest = 0.25;                  // that a path is bent, metres
-constexpr double kFastest = 3.6;                    // of a wrist, metres a second; the limit of the project is 4
+// Depths count from a little above the surface.
+constexpr double kTolerated = 0.0025, kRoom = 0.003;  // metres
+constexpr double kFarthest = 0.25;                    // that a path is bent, metres
+constexpr double kFastest = 3.6;                      // of a wrist, metres a second; the limit of the project is 4
 
 HandState state_after(const HandSegment& segment, double share) {
-  return state_at(segment, static_cast<Tick>(share * static_cast<double>(segment.end)));
+  return state_at(segment, segment.begin + static_cast<Tick>(share * static_cast<double>(segment.end - segment.begin)));
 }
+
+/// One hand on its way, and what the other does meanwhile.
+struct Journey {
+  const Signer& signer;
+  Side side;
+  HandSegment& segment;
+  const HandSegment* other;
+
+  struct Found {
+    Depth depth;
+    bool in_body = true;
+  };
+  Found depth(double share) const {
+    const HandState state = state_after(segment, share);
+    Found found{signer.depth_in_body(side, state), true};
+    if (other == nullptr) return found;
+    const Depth in_arm = signer.depth_in_arm(side, state, state_after(*other, share));
+    if (in_arm.metres > found.depth.metres) found = {in_arm, false};
+    return found;
+  }
+};
 
 struct Sample {
   int index = 0;  ///< 0: none
-  Depth depth;
+  Journey::Found found;
 };
 
-/// The sample that lies deepest in the trunk, counted from what its ends account for.
-Sample deepest_sample(const Signer& signer, Side side, const HandSegment& segment) {
-  const double from_depth = signer.hand_depth(side, segment.from).metres;
-  const double to_depth = signer.hand_depth(side, segment.to).metres;
+/// The sample that lies deepest, counted from what its ends account for.
+Sample deepest_sample(const Journey& journey, double from_depth, double to_depth) {
   Sample worst;
-  worst.depth.metres = kTolerated;
+  worst.found.depth.metres = kTolerated;
   for (int i = 1; i < kSamples; ++i) {
     const double share = static_cast<double>(i) / kSamples;
     const double own = std::max({from_depth * (1.0 - 3.0 * share), to_depth * (3.0 * share - 2.0), 0.0});
-    Depth depth = signer.hand_depth(side, state_after(segment, share));
-    depth.metres -= own;
-    if (depth.metres > worst.depth.metres) worst = {i, depth};
+    Journey::Found found = journey.depth(share);
+    found.depth.metres -= own;
+    if (found.depth.metres > worst.found.depth.metres) worst = {i, found};
   }
   return worst;
 }
 
-void bend_out(const Signer& signer, Side side, HandSegment& segment) {
+void bend_out(const Journey& journey) {
   constexpr int kRounds = 6;
+  const double from_depth = journey.depth(0.0).depth.metres, to_depth = journey.depth(1.0).depth.metres;
+  HandSegment& segment = journey.segment;
   for (int round = 0; round < kRounds; ++round) {
-    const Sample worst = deepest_sample(signer, side, segment);
+    const Sample worst = deepest_sample(journey, from_depth, to_depth);
     if (worst.index == 0) return;
     const double s = minimum_jerk(static_cast<double>(worst.index) / kSamples);
-    // Forwards rather than round the back, to which it may be nearer.
+    const Depth& depth = worst.found.depth;
+    // Round the body forwards, not round its back, to which it may be nearer.
     const double x = state_after(segment, static_cast<double>(worst.index) / kSamples).wrist.position.x;
     const double beside = std::clamp(x / 0.2, -1.0, 1.0);
-    const Vec3 out = unit(worst.depth.out.z > 0.2 ? worst.depth.out + Vec3(0.0, 0.0, 0.5) : Vec3(beside, 0.0, 1.0));
-    segment.bulge += out * ((worst.depth.metres + kRoom) / std::max(0.4, 4.0 * s * (1.0 - s)));
+    Vec3 out = depth.out;
+    if (worst.found.in_body) out = unit(out.z > 0.2 ? out + Vec3(0.0, 0.0, 0.5) : Vec3(beside, 0.0, 1.0));
+    segment.bulge += out * ((depth.metres + kRoom) / std::max(0.4, 4.0 * s * (1.0 - s)));
     const double length = std::sqrt(glm::dot(segment.bulge, segment.bulge));
     if (length > kFarthest) segment.bulge *= kFarthest / length;
   }
@@ -67,7 +91,7 @@ void swing_out(const Signer& signer, Side side, HandSegment& segment) {
       deepest =
           std::max(deepest, signer.forearm_depth(side, state_after(segment, static_cast<double>(i) / kSamples)).metres);
     // A swing must be worth it.
-    if (deepest > least - 0.005) continue;
+    if (deepest > least - 0.003) continue;
     least = deepest;
     best = swing;
     if (least <= kTolerated) break;
@@ -90,18 +114,24 @@ double peak_speed(const HandSegment& segment) {
 
 }  // namespace
 
-Way find_way(const Signer& signer, Side side, const HandState& from, const HandState& to, const Vec3& bulge) {
+Way find_way(const Signer& signer, Side side, const HandState& from, const HandState& to, const Vec3& bulge,
+             const HandSegment* other) {
   Way way;
   way.segment.end = kTicksPerSecond;
   way.segment.from = from;
   way.segment.to = to;
   way.segment.bulge = bulge;
-  const Vec3 apart = to.wrist.position - from.wrist.position;
-  if (glm::dot(apart, apart) < 1e-4) return way;
-  bend_out(signer, side, way.segment);
-  swing_out(signer, side, way.segment);
-  way.seconds = peak_speed(way.segment) / kFastest;
+  way.seconds = keep_clear(signer, side, way.segment, other);
   return way;
+}
+
+double keep_clear(const Signer& signer, Side side, HandSegment& segment, const HandSegment* other) {
+  const Vec3 apart = segment.to.wrist.position - segment.from.wrist.position;
+  if (glm::dot(apart, apart) > 1e-4 && segment.turns == 0) {
+    bend_out({signer, side, segment, other});
+    swing_out(signer, side, segment);
+  }
+  return peak_speed(segment) / kFastest;
 }
 
 }  // namespace auslan

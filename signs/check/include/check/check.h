@@ -20,7 +20,9 @@ enum class Measure {
   kContact,          ///< mm between what touches and the surface that it is to touch
   kPenetration,      ///< mm that parts which are not to touch are inside each other
   kPressing,         ///< mm that parts which are to touch are inside each other
-  kDirection,        ///< degrees between the stated and the shown finger direction or palm
+  kDirection,        ///< degrees between the chosen and the shown finger direction or palm
+  kLeaning,          ///< degrees between the stated and the chosen one: what the joints' limits ask for at that place;
+                     ///< half the way to the next of the notation's directions still reads as the stated one
   kHandshape,        ///< degrees between a joint of the stated and the shown handshape
   kJointLimits,      ///< degrees beyond a joint's range
   kAngularVelocity,  ///< percent of the local peak by which a joint's velocity jumps at a key
@@ -29,7 +31,7 @@ enum class Measure {
   kWristSpeed,       ///< m/s
   kFaceHidden,       ///< percent of the frames in which a hand hides mouth or eyes
 };
-inline constexpr size_t kMeasureCount = 11;
+inline constexpr size_t kMeasureCount = 12;
 
 /// Its name in reports and JSON, its unit, and the range in which a performance is good.
 struct MeasureInfo {

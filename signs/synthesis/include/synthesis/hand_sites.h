@@ -24,6 +24,9 @@ class HandSites {
   /// `towards` (wrist frame, unit) points to where the other hand comes from: a finger is touched on that side.
   Site site_for(Location location, HandPart touching, const HandAngles& angles, const Vec3& towards) const;
 
+  /// The joints of the digits (thumb first, from the palm outwards) for some finger angles, in the wrist's frame.
+  std::array<std::array<Transform, 3>, 5> digits(const HandAngles& angles) const { return pose(angles).joint; }
+
  private:
   /// The joints of the digits and their tips for some finger angles, in the wrist's frame.
   struct Posed {

@@ -88,7 +88,8 @@ struct GlossSpan {
 struct HandTarget {
   Tick begin = 0, end = 0;  ///< equal: the hand passes without a hold
   Vec3 fingers{0.0}, palm{0.0};
-  HandAngles angles;  ///< of the handshape
+  Quat reached = kIdentity;  ///< world_from_wrist chosen for it: as near to the stated directions as the joints allow
+  HandAngles angles;         ///< of the handshape
   bool touches = false;
   Vec3 part{0.0};  ///< what touches, in the wrist's frame
   Location location = Location::kNeutral;

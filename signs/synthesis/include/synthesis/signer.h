@@ -4,18 +4,24 @@
 #pragma once
 
 #include "kinematics/anatomy.h"
+#include "kinematics/arm_reach.h"
 #include "kinematics/figure.h"
 #include "kinematics/result.h"
-#include "kinematics/solid.h"
 #include "phonology/sign.h"
 #include "synthesis/body_sites.h"
+#include "synthesis/body_surface.h"
 #include "synthesis/hand_sites.h"
 #include "synthesis/score.h"
 
 #include <array>
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace auslan {
+
+struct Obstacle;
+struct MirrorPlane;
 
 /// The nodes of an arm, placed in the world.
 struct ArmPlacement {
@@ -27,7 +33,7 @@ struct PlacedHand {
   HandState state;
   bool touching = false;
   Vec3 normal{0.0, 0.0, 1.0};  ///< outward normal of the surface that is touched, or of the palm's facing in the air
-  Vec3 part{0.0};              ///< what is brought to the place, in the wrist's frame
+  Vec3 part{0.0};              ///< what is brought to the place, or touches there, in the wrist's frame
   Location location = Location::kNeutral;  ///< the posture's, or the finer one that its contact names
 };
 
@@ -70,14 +76,16 @@ class Signer {
   /// allows.
   PlacedHand place(const Posture& posture, const Handshape& handshape, Side side, const OtherHand& counterpart) const;
 
+  const ArmReach& reach(Side side) const { return reach_[static_cast<size_t>(side)]; }
+
   /// The arm that puts the wrist where `state` says, trunk at rest.
   ArmPlacement place_arm(Side side, const HandState& state) const;
 
-  /// A natural swivel for a wrist, moved on where it would put the forearm into the trunk.
-  double swivel_for(Side side, const Transform& world_from_wrist) const;
-
-  /// How deep a hand, and how deep its forearm, lie in the trunk at rest. Both are taken as balls.
-  Depth hand_depth(Side side, const HandState& state) const;
+  /// How deep a hand with its forearm lies in head, neck and trunk at rest, and in the other arm; counted from a little
+  /// above their surface.
+  Depth depth_in_body(Side side, const HandState& state) const;
+  Depth depth_in_arm(Side side, const HandState& state, const HandState& other_arm) const;
+  /// How deep the forearm alone does.
   Depth forearm_depth(Side side, const HandState& state) const;
 
   /// The hand hanging beside the hip: the start and end of all signing.
@@ -85,13 +93,28 @@ class Signer {
 
  private:
   Signer(const Figure& figure, const FigureTraits& traits, BodySites body, std::array<HandSites, 2> hands);
-  /// A ball that lies deeper in the trunk than `depth` takes its place.
-  void sink(const Vec3& centre, double radius, Depth& depth) const;
-  /// Radians by which the arm breaks its joint limits to put the hand there, over shoulder, elbow and wrist.
+  /// What is asked of a hand.
+  struct Wish {
+    Quat rotation = kIdentity;
+    Vec3 pivot{0.0}, target{0.0};  ///< the part of the hand (wrist frame), and where it is to be
+    bool free = false;             ///< in the air: the place may give way to the direction
+  };
+  /// The elbow's place and the hand's lean for which the limits of the arm and the room for the forearm ask.
+  void settle(Side side, const Wish& wish, std::span<const Obstacle> obstacles, HandState& state) const;
+  /// Radians by which an arm has to break its limits for a wrist to be there.
   double strain(Side side, const HandState& state) const;
-  /// Puts the hand's `part` (wrist frame) on `target`, leaning from the wanted orientation as far as the joint limits
-  /// ask.
-  void reach_comfortably(Side side, const Vec3& part, const Vec3& target, HandState& state) const;
+  Depth coarse_depth(Side side, const HandState& state, std::span<const Obstacle> obstacles) const;
+  /// Head, neck and trunk at rest; `touches`: the hand is to touch them.
+  std::vector<Obstacle> body_obstacles(bool touches) const;
+  /// The other arm with its hand.
+  void add_other_arm(Side other_side, const HandState& other, bool touches, std::vector<Obstacle>& obstacles) const;
+  /// The surface of a hand in the wrist's frame: so many points of each digit's segments, and three times as many of
+  /// the palm's.
+  std::vector<SurfacePatch> hand_patches(Side side, const HandAngles& angles, size_t points) const;
+  /// The surface of the forearm and of the lower half of the upper arm, world space.
+  std::array<SurfacePatch, 2> arm_patches(Side side, const HandState& state) const;
+  /// The points that count as a part of the hand: those about its site that face as it does; wrist frame.
+  static std::vector<Vec3> region(HandPart part, const Site& site, std::span<const SurfacePatch> hand);
   /// The place on the other hand or arm, world space.
   Site other_site(Location location, HandPart touching, Side other_side, const HandState& other, const Vec3& comes_from,
                   const Vec3& offset) const;
@@ -100,9 +123,12 @@ class Signer {
   FigureTraits traits_;
   BodySites body_;
   std::array<HandSites, 2> hands_;
-  Solid trunk_;
-  Vec3 trunk_place_{0.0};  ///< world, at rest
+  BodySurface surface_;
+  std::array<ArmReach, 2> reach_;
   std::array<HandFrame, 2> frames_;
+  std::array<ArmNodes, 2> nodes_;
+  std::array<Vec3, 2> parent_;                   ///< of the shoulder, world, trunk at rest
+  std::array<SurfacePatch, 2> lower_upper_arm_;  ///< the half of an upper arm that the trunk does not hold; node frame
 };
 
 }  // namespace auslan

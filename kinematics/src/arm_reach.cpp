@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kinematics/arm_reach.h"
+
+#include "arm_geometry.h"
+#include "kinematics/elementary.h"
+#include "kinematics/rotation.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace auslan {
+namespace {
+
+constexpr int kRounds = 8;
+// The hand is brought this far within the limits, so that what later turns it a little does not break them again.
+constexpr double kInside = 1.0 * kDegree;
+// From this far within a limit a joint gives way.
+constexpr double kSoft = 1.0 * kDegree;
+
+/// Once differentiable: the angle itself, then a parabola, then the limit. A straight elbow is at its limit and at
+/// ease: a range that begins at zero begins hard.
+double softened(double angle, double low, double high) {
+  const auto eased = [](double beyond) {
+    const double u = beyond / kSoft;
+    return u < 2.0 ? kSoft * (u - 0.25 * u * u) : kSoft;
+  };
+  if (angle > high - kSoft) return high - kSoft + eased(angle - high + kSoft);
+  if (low == 0.0) return std::max(angle, low);
+  if (angle < low + kSoft) return low + kSoft - eased(low + kSoft - angle);
+  return angle;
+}
+
+void soften(JointAngles& angles, const JointLimits& limits) {
+  angles.flexion = softened(angles.flexion, limits.flexion_low, limits.flexion_high);
+  angles.abduction = softened(angles.abduction, limits.abduction_low, limits.abduction_high);
+  angles.twist = softened(angles.twist, limits.twist_low, limits.twist_high);
+}
+
+JointLimits narrowed(JointLimits limits) {
+  const auto narrow = [](double& low, double& high) {
+    if (low < 0.0) low += kInside;
+    high -= kInside;
+  };
+  narrow(limits.flexion_low, limits.flexion_high);
+  narrow(limits.abduction_low, limits.abduction_high);
+  narrow(limits.twist_low, limits.twist_high);
+  return limits;
+}
+
+JointAngles brought_within(const JointLimits& limits, const JointAngles& angles) {
+  return {std::clamp(angles.flexion, limits.flexion_low, limits.flexion_high),
+          std::clamp(angles.abduction, limits.abduction_low, limits.abduction_high),
+          std::clamp(angles.twist, limits.twist_low, limits.twist_high)};
+}
+
+}  // namespace
+
+struct ArmReach::State {
+  ArmGeometry arm;
+  JointAxes shoulder, elbow, wrist;
+  JointLimits elbow_within = narrowed(elbow_limits()), wrist_within = narrowed(wrist_limits());
+
+  /// The wrist gives a little about the forearm: it takes what the forearm cannot turn.
+  void share_twist(JointAngles& forearm, JointAngles& hand) const {
+    const double kept = std::clamp(forearm.twist, elbow_within.twist_low, elbow_within.twist_high);
+    const double given = std::clamp(forearm.twist - kept, wrist_within.twist_low, wrist_within.twist_high);
+    forearm.twist -= given;
+    hand.twist += given;
+  }
+  double excess(const ArmSolution& solution) const {
+    JointAngles forearm = angles_about(elbow, solution.elbow), hand = angles_about(wrist, solution.wrist);
+    share_twist(forearm, hand);
+    return std::sqrt(squared_excess(shoulder_limits(), angles_about(shoulder, solution.shoulder)) +
+                     squared_excess(elbow_limits(), forearm) + squared_excess(wrist_limits(), hand));
+  }
+};
+
+ArmReach::ArmReach(const Skeleton& skeleton, Side side) {
+  const ArmGeometry arm = arm_geometry(skeleton, side);
+  state_.reset(
+      new State{arm, shoulder_axes(arm), elbow_axes(arm), wrist_axes(rest_hand_frame(skeleton, side), arm.side_sign)});
+}
+ArmReach::ArmReach(ArmReach&&) noexcept = default;
+ArmReach& ArmReach::operator=(ArmReach&&) noexcept = default;
+ArmReach::~ArmReach() = default;
+
+ArmReach::Reached ArmReach::reach(const Quat& wanted, const Vec3& pivot, const Vec3& target, double swivel) const {
+  const State& s = *state_;
+  Reached reached;
+  reached.wrist.rotation = wanted;
+  for (int round = 0; round < kRounds; ++round) {
+    reached.wrist.position = target - reached.wrist.rotation * pivot;
+    reached.arm = solve_in_parent(s.arm, reached.wrist, swivel);
+    JointAngles elbow = angles_about(s.elbow, reached.arm.elbow);
+    JointAngles wrist = angles_about(s.wrist, reached.arm.wrist);
+    s.share_twist(elbow, wrist);
+    if (squared_excess(s.elbow_within, elbow) == 0.0 && squared_excess(s.wrist_within, wrist) == 0.0) break;
+    if (round + 1 == kRounds) break;
+    // The forearm can turn the hand and the wrist can bend it; the elbow's own bend is the place's matter.
+    JointAngles turned = brought_within(s.elbow_within, elbow);
+    turned.flexion = elbow.flexion;
+    reached.wrist.rotation = renormalised(reached.arm.shoulder * rotation_about(s.elbow, turned) *
+                                          rotation_about(s.wrist, brought_within(s.wrist_within, wrist)));
+  }
+  reached.lean = angle_between(wanted, reached.wrist.rotation);
+  reached.excess = s.excess(reached.arm);
+  reached.off = reached.arm.shortfall;
+  return reached;
+}
+
+double ArmReach::excess(const Transform& parent_from_wrist, double swivel) const {
+  return state_->excess(solve_in_parent(state_->arm, parent_from_wrist, swivel));
+}
+
+ArmSolution ArmReach::limited(const ArmSolution& arm) const {
+  const State& s = *state_;
+  JointAngles shoulder = angles_about(s.shoulder, arm.shoulder);
+  JointAngles elbow = angles_about(s.elbow, arm.elbow);
+  JointAngles wrist = angles_about(s.wrist, arm.wrist);
+  s.share_twist(elbow, wrist);
+  soften(shoulder, shoulder_limits());
+  soften(elbow, elbow_limits());
+  soften(wrist, wrist_limits());
+  ArmSolution limited = arm;
+  limited.shoulder = renormalised(rotation_about(s.shoulder, shoulder));
+  limited.elbow = renormalised(rotation_about(s.elbow, elbow));
+  limited.wrist = renormalised(rotation_about(s.wrist, wrist));
+  return limited;
+}
+
+}  // namespace auslan

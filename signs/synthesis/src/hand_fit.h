@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// A hand on what it touches, and out of everything else: small shifts and turns of the wrist, found by damped least
+// squares (Levenberg's) on the figure's own surfaces.
+#pragma once
+
+#include "synthesis/body_surface.h"
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace auslan {
+
+/// What a hand may come near to.
+struct Obstacle {
+  const Solid* solid = nullptr;
+  Transform world_from_solid;
+  Vec3 centre{0.0};      ///< of a ball that holds it, world
+  double radius = 0.0;   ///< metres
+  double allowed = 0.0;  ///< how deep below its surface; negative: the hand keeps away, metres
+  bool touched = false;  ///< the contact is with this
+};
+Obstacle make_obstacle(const Solid& solid, const Transform& world_from_solid, double allowed, bool touched);
+
+/// The plane x = 0, in which a hand meets its mirror image: nothing of it goes beyond.
+struct MirrorPlane {
+  double side = -1.0;  ///< the sign of x on which the hand stays
+  double allowed = 0.0;
+  bool touched = false;
+};
+
+struct HandFitGoal {
+  Quat wanted = kIdentity;       ///< world_from_wrist as the entry states it
+  double free_lean = 0.0;        ///< radians from there that cost little
+  Vec3 pivot{0.0}, target{0.0};  ///< what of the hand (wrist frame) is to be near which place
+  std::span<const Vec3> region;  ///< points of which one has to touch (wrist frame); empty: no contact is asked for
+  std::span<const Obstacle> obstacles;
+  std::optional<MirrorPlane> mirror;
+  /// Brings a wrist, and the swivel with it, to where the arm keeps its limits, turning about a point of the hand
+  /// (wrist frame); returns the radians that are still missing.
+  std::function<double(const Vec3& pivot, Transform& world_from_wrist, double& swivel)> admit;
+};
+
+struct HandFit {
+  Transform wrist;
+  double swivel = 0.0;
+  Vec3 touching{0.0};    ///< the point of the region that is nearest to what is touched, wrist frame
+  double gap = 0.0;      ///< metres between them; negative: it presses in
+  double deepest = 0.0;  ///< metres by which anything is deeper than allowed
+  double cost = 0.0;     ///< of all that is not as wished, metres; contact counts twice, it is what is read
+};
+
+/// Moves the wrist, and the elbow with it, as little as it takes. Total: what cannot be met is approached.
+HandFit fit_hand(const Transform& world_from_wrist, double swivel, std::span<const SurfacePatch> hand,
+                 const HandFitGoal& goal);
+
+/// The deepest that any of the points lie beyond what their obstacle allows, and the way out; world space.
+struct Depth;
+Depth depth_in(std::span<const SurfacePatch> points, std::span<const Obstacle> obstacles);
+
+}  // namespace auslan
