@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kSamples = 8;
 constexpr double kTolerated = 0.003, kRoom = 0.01;  // metres
-constexpr double kFarthest = 0.25;                  // that a path is bent, metres
+constexpr double kFarthest = 0.36;                  // that a path is bent, metres
 constexpr double kFastest = 3.6;                    // of a wrist, metres a second; the limit of the project is 4
 
 HandState state_after(const HandSegment& segment, double share) {
@@ -42,7 +42,7 @@ Sample deepest_sample(const Signer& signer, Side side, const HandSegment& segmen
 }
 
 void bend_out(const Signer& signer, Side side, HandSegment& segment) {
-  constexpr int kRounds = 6;
+  constexpr int kRounds = 8;
   for (int round = 0; round < kRounds; ++round) {
     const Sample worst = deepest_sample(signer, side, segment);
     if (worst.index == 0) return;
@@ -90,16 +90,20 @@ double peak_speed(const HandSegment& segment) {
 
 }  // namespace
 
-Way find_way(const Signer& signer, Side side, const HandState& from, const HandState& to, const Vec3& bulge) {
+Way find_way(const Signer& signer, Side side, const HandState& from, const HandState& to, const Vec3& bulge,
+             const std::optional<Quat>& turn_middle) {
   Way way;
   way.segment.end = kTicksPerSecond;
   way.segment.from = from;
   way.segment.to = to;
   way.segment.bulge = bulge;
+  way.segment.turn_middle = turn_middle;
   const Vec3 apart = to.wrist.position - from.wrist.position;
   if (glm::dot(apart, apart) < 1e-4) return way;
   bend_out(signer, side, way.segment);
   swing_out(signer, side, way.segment);
+  const Sample left = deepest_sample(signer, side, way.segment);
+  if (left.index != 0) way.depth = left.depth.metres;
   way.seconds = peak_speed(way.segment) / kFastest;
   return way;
 }

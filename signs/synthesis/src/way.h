@@ -6,16 +6,21 @@
 #include "synthesis/score.h"
 #include "synthesis/signer.h"
 
+#include <optional>
+
 namespace auslan {
 
 /// A segment without times, and how long it takes at least.
 struct Way {
   HandSegment segment;
   double seconds = 0;
+  double depth =
+      0;  ///< how deep the hand still goes into the trunk on the way, metres; 0 where that is too little to count
 };
 
-/// `bulge`: how the path is bent in any case. Where it would lead through the trunk it is bent out of it, and the elbow
-/// swung out where the forearm would. What the ends touch may be touched near them too.
-Way find_way(const Signer& signer, Side side, const HandState& from, const HandState& to, const Vec3& bulge);
+/// `bulge` and `turn_middle`: how path and hand are bent in any case. Where it would lead through the trunk it is bent
+/// out of it, and the elbow swung out where the forearm would. What the ends touch may be touched near them too.
+Way find_way(const Signer& signer, Side side, const HandState& from, const HandState& to, const Vec3& bulge,
+             const std::optional<Quat>& turn_middle = std::nullopt);
 
 }  // namespace auslan
