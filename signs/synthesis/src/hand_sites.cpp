@@ -91,7 +91,16 @@ Site HandSites::on_digit(const Posed& posed, size_t digit, double along, const V
 }
 
 Site HandSites::site(HandPart part, const HandAngles& angles) const {
+  return site(part, pose(angles));
+}
+
+void HandSites::sites(std::span<const HandPart> parts, const HandAngles& angles, std::span<Site> sites) const {
   const Posed posed = pose(angles);
+  for (size_t i = 0; i < parts.size(); ++i)
+    sites[i] = site(parts[i], posed);
+}
+
+Site HandSites::site(HandPart part, const Posed& posed) const {
   const Vec3& palm = frame_.palm;
   const Vec3& radial = frame_.radial;
   const Vec3 knuckle = posed.joint[kMiddle][0].position;

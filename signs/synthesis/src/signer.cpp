@@ -258,9 +258,12 @@ void Signer::reach_comfortably(Side side, const Vec3& part, const Vec3& target, 
 void Signer::sink(const Vec3& centre, double radius, Depth& depth) const {
   constexpr double kReach = 0.3;  // no point of a trunk lies farther below its surface, metres
   const Vec3 place = centre - trunk_place_;
-  for (glm::length_t i = 0; i < 3; ++i)
+  bool beyond = false;
+  for (glm::length_t i = 0; i < 3; ++i) {
     if (place[i] < trunk_.low()[i] - radius || place[i] > trunk_.high()[i] + radius) return;
-  const auto nearest = trunk_.nearest(place, kReach);
+    beyond = beyond || place[i] < trunk_.low()[i] || place[i] > trunk_.high()[i];
+  }
+  const auto nearest = trunk_.nearest(place, beyond ? radius : kReach);
   if (!nearest || radius - nearest->distance <= depth.metres) return;
   depth.metres = radius - nearest->distance;
   depth.out = nearest->normal;
@@ -270,39 +273,40 @@ Depth Signer::hand_depth(Side side, const HandState& state) const {
   constexpr double kFingerRadius = 0.008, kPalmRadius = 0.015;
   Depth depth;
   sink(state.wrist.position, kWristRadius, depth);
-  const auto part = [&](HandPart at, double radius) {
-    sink(apply(state.wrist, hand(side).site(at, state.angles).position), radius, depth);
-  };
-  part(HandPart::kPalm, kPalmRadius);
-  for (const HandPart tip :
-       {HandPart::kThumbTip, HandPart::kIndexTip, HandPart::kMiddleTip, HandPart::kLittleTip, HandPart::kIndexKnuckle})
-    part(tip, kFingerRadius);
+  constexpr std::array<HandPart, 6> kParts = {HandPart::kPalm,      HandPart::kThumbTip,  HandPart::kIndexTip,
+                                              HandPart::kMiddleTip, HandPart::kLittleTip, HandPart::kIndexKnuckle};
+  std::array<Site, kParts.size()> sites;
+  hand(side).sites(kParts, state.angles, sites);
+  for (size_t i = 0; i < kParts.size(); ++i)
+    sink(apply(state.wrist, sites[i].position), i == 0 ? kPalmRadius : kFingerRadius, depth);
   return depth;
 }
 
-Depth Signer::forearm_depth(Side side, const HandState& state) const {
+Depth Signer::forearm_depth(Side side, const HandState& state, double enough) const {
   const ArmPlacement arm = place_arm(side, state);
   Depth depth;
-  for (const double along : {0.0, 0.3, 0.6, 0.9})
+  for (const double along : {0.0, 0.3, 0.6, 0.9}) {
+    if (depth.metres >= enough) break;
     sink(arm.elbow.position + (arm.wrist.position - arm.elbow.position) * along, mix(kElbowRadius, kWristRadius, along),
          depth);
+  }
   return depth;
 }
 
 double Signer::swivel_for(Side side, const Transform& world_from_wrist) const {
   const Transform parent = parent_of_shoulder(figure_->skeleton, side);
   const double natural = natural_swivel(figure_->skeleton, side, parent, world_from_wrist);
-  const auto depth = [&](double swivel) {
+  const auto depth = [&](double swivel, double enough) {
     HandState state;
     state.wrist = world_from_wrist;
     state.swivel = swivel;
-    return forearm_depth(side, state).metres;
+    return forearm_depth(side, state, enough).metres;
   };
-  double best = natural, least = depth(natural);
+  double best = natural, least = depth(natural, 1.0);
   for (int step = 1; step <= kSwivelSteps && least > traits_.trunk_gives; ++step) {
     for (const double sign : {1.0, -1.0}) {
       const double swivel = natural + sign * step * kSwivelStep;
-      const double found = depth(swivel);
+      const double found = depth(swivel, least);
       if (found >= least - 1e-4) continue;
       least = found;
       best = swivel;

@@ -9,6 +9,7 @@
 #include "synthesis/body_sites.h"
 
 #include <array>
+#include <span>
 
 namespace auslan {
 
@@ -19,6 +20,9 @@ class HandSites {
 
   /// A part of the hand with these finger angles, in the frame of the wrist (metres; axes of the rest pose).
   Site site(HandPart part, const HandAngles& angles) const;
+
+  /// Several parts of the hand in one posture; as many sites as parts.
+  void sites(std::span<const HandPart> parts, const HandAngles& angles, std::span<Site> sites) const;
 
   /// The place that a location on this hand means to another hand's `touching` part, in the frame of the wrist.
   /// `towards` (wrist frame, unit) points to where the other hand comes from: a finger is touched on that side.
@@ -31,6 +35,7 @@ class HandSites {
     std::array<Vec3, 5> tip, pad;
   };
   Posed pose(const HandAngles& angles) const;
+  Site site(HandPart part, const Posed& posed) const;
   /// A point on a finger's surface: on the axis at `along` (0 knuckle … 2 last joint … 3 tip) pushed out towards `out`.
   Site on_digit(const Posed& posed, size_t digit, double along, const Vec3& out) const;
 

@@ -78,7 +78,8 @@ class Signer {
 
   /// How deep a hand, and how deep its forearm, lie in the trunk at rest. Both are taken as balls.
   Depth hand_depth(Side side, const HandState& state) const;
-  Depth forearm_depth(Side side, const HandState& state) const;
+  /// Of the forearm: a depth that is `enough`, metres, is not looked into further.
+  Depth forearm_depth(Side side, const HandState& state, double enough = 1.0) const;
 
   /// The hand hanging beside the hip: the start and end of all signing.
   HandState rest(Side side) const;
