@@ -101,12 +101,12 @@ ThumbSphere sphere_of_bone(const HandGeometry& hand, const Vec3& bone) {
 ArmNodes arm_nodes(const Skeleton& skeleton, Side side) {
   const size_t first = kFirstArmName + (side == Side::kLeft ? 0 : kNamesPerArm);
   ArmNodes nodes;
-  nodes.shoulder = skeleton.find(kNodeNames[first]);
-  nodes.elbow = skeleton.find(kNodeNames[first + 1]);
-  nodes.wrist = skeleton.find(kNodeNames[first + 2]);
+  nodes.shoulder = skeleton.named(first);
+  nodes.elbow = skeleton.named(first + 1);
+  nodes.wrist = skeleton.named(first + 2);
   for (size_t digit = 0; digit < 5; ++digit)
     for (size_t joint = 0; joint < 3; ++joint)
-      nodes.digits[digit][joint] = skeleton.find(kNodeNames[first + 3 + 3 * digit + joint]);
+      nodes.digits[digit][joint] = skeleton.named(first + 3 + 3 * digit + joint);
   return nodes;
 }
 

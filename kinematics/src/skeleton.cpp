@@ -23,9 +23,11 @@ Result<Skeleton> Skeleton::build(std::vector<Node> nodes) {
                                                     : skeleton.rest_[static_cast<size_t>(node.parent)] + node.offset);
   }
   skeleton.nodes_ = std::move(nodes);
-  for (const std::string_view name : kNodeNames)
-    if (skeleton.find(name) == kNoNode)
-      return fail(ErrorCode::kMalformed, "the figure lacks the node " + std::string(name));
+  for (size_t i = 0; i < kNodeNames.size(); ++i) {
+    skeleton.named_[i] = skeleton.find(kNodeNames[i]);
+    if (skeleton.named_[i] == kNoNode)
+      return fail(ErrorCode::kMalformed, "the figure lacks the node " + std::string(kNodeNames[i]));
+  }
   return skeleton;
 }
 

@@ -294,7 +294,11 @@ std::optional<NearestSurface> Solid::nearest(const Vec3& point, double within) c
   std::optional<NearestSurface> outside;
   std::optional<NearestSurface> inside;
   for (const Part& part : parts_) {
-    const auto found = nearest_of(part, point, within);
+    // Beyond a part's box a point is outside the part, and only a nearer surface counts.
+    const Box& box = part.boxes.front();
+    const bool beyond = squared_distance(box.low, box.high, point) > 0.0;
+    if (beyond && inside) continue;
+    const auto found = nearest_of(part, point, beyond && outside ? outside->distance : within);
     if (!found) continue;
     if (found->distance < 0.0) {
       if (!inside || found->distance < inside->distance) inside = found;

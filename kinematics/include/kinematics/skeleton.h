@@ -53,12 +53,15 @@ class Skeleton {
 
   /// Index of the node of that name, or kNoNode.
   int find(std::string_view name) const;
+  /// Index of the node that is called kNodeNames[name].
+  int named(size_t name) const { return named_[name]; }
   /// Rest position of a node in world space.
   const Vec3& rest_position(int index) const { return rest_[static_cast<size_t>(index)]; }
 
  private:
   std::vector<Node> nodes_;
   std::vector<Vec3> rest_;
+  std::array<int, kNodeNames.size()> named_{};
 };
 
 }  // namespace auslan

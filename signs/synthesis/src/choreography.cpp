@@ -2,9 +2,11 @@
 #include "synthesis/choreography.h"
 
 #include "performance_of_sign.h"
+#include "phonology/vocabulary.h"
 #include "stroke.h"
 #include "synthesis/mouthing.h"
 #include "synthesis/non_manual.h"
+#include "turning.h"
 #include "way.h"
 
 #include <algorithm>
@@ -40,24 +42,33 @@ class Choreographer {
   };
 
   Tick scaled(double duration) const { return std::max<Tick>(1, ticks(duration / options_.speed)); }
+  /// The same for a movement that takes a body at least so many seconds, at any speed of signing.
+  Tick paced(double duration, double least) const { return std::max(scaled(duration), ticks(least)); }
   bool uses_left(size_t unit) const;
+  bool meets_left(size_t unit) const;
+  /// Until when the track of a hand is laid out.
+  Tick laid_out(size_t side) const { return score_.hands[side].empty() ? 0 : score_.hands[side].back().end; }
   void stay(size_t side, Tick until);
   /// Fills the track of a hand with a segment that ends then; nothing when it reaches so far already.
   void append(size_t side, Tick until, HandSegment segment);
-  Way way_to(size_t side, const HandState& to, const Vec3& bulge, const HandSegment* other = nullptr) const {
-    return find_way(signer_, static_cast<Side>(side), hand_[side], to, bulge, other);
-  }
-  /// Brings the base hand down from where it is, beginning with what was not yet laid out since `since`.
-  void lower_left(Tick since, const HandState& low);
-  void transition(const SignPerformance& performance, const Unit& unit);
+  Way way_to(size_t side, const HandState& to, const Vec3& bulge, double digits_lead,
+             const HandSegment* other = nullptr) const;
+  /// Brings the base hand down while the other one goes on.
+  void lower_left();
+  /// What becomes of the base hand when a sign does not use it: it waits, or goes down.
+  void release_left(size_t unit);
+  void transition(const SignPerformance& performance, size_t unit);
   void add_beats(const SignPerformance& performance, const Unit& unit);
   /// The hand shows its target from `begin` to `end`; one that it has shown until now goes on.
   void show(size_t side, const std::optional<HandTarget>& target, Tick begin, Tick end);
   void add_mouthing(const Unit& unit, Span span);
-  void add_own_features(const Unit& unit, Span span);
+  void add_own_features(size_t unit);
   void add_spans();
-  void add_features(const FaceWeights& face, const BodyFeature& body, Span span);
-  double hold_after(size_t unit) const;
+  /// Over units, rising on the way into the first of them and falling on the way out of the last: no feature reaches
+  /// into the sign before or after.
+  void add_features(const FaceWeights& face, const BodyFeature& body, size_t from, size_t to);
+  /// By how much the last hold of a unit is lengthened, seconds at speed 1; the unit took `duration` without it.
+  double hold_after(size_t unit, double duration) const;
 
   const Signer& signer_;
   const Utterance& utterance_;
@@ -67,13 +78,26 @@ class Choreographer {
   std::array<HandState, 2> hand_;
   std::array<Vec3, 2> leave_{};
   std::array<bool, 2> raised_{};
-  std::vector<Span> spans_;  ///< of each unit
+  bool left_is_met_ = false;  ///< the sign that has just been laid out touches the base hand or its arm
+  std::vector<Span> spans_;   ///< of each unit
 };
 
 bool Choreographer::uses_left(size_t unit) const {
   const auto& sign = utterance_.units[unit].sign;
   return sign && sign->handedness != Handedness::kOne &&
          (sign->handedness != Handedness::kDominantBase || !sign->non_dominant.empty());
+}
+
+bool Choreographer::meets_left(size_t unit) const {
+  const auto& sign = utterance_.units[unit].sign;
+  if (!sign) return false;
+  const auto on_left = [](Location location) {
+    return is_on_other_hand(location) || location == Location::kUpperArm || location == Location::kElbow;
+  };
+  return std::any_of(sign->dominant.begin(), sign->dominant.end(), [&](const Posture& posture) {
+    return on_left(posture.location) ||
+           (posture.contact && posture.contact->target && on_left(*posture.contact->target));
+  });
 }
 
 void Choreographer::stay(size_t side, Tick until) {
@@ -84,60 +108,99 @@ void Choreographer::stay(size_t side, Tick until) {
 
 void Choreographer::append(size_t side, Tick until, HandSegment segment) {
   auto& track = score_.hands[side];
-  segment.begin = track.empty() ? 0 : track.back().end;
+  segment.begin = laid_out(side);
   segment.end = until;
   if (segment.end <= segment.begin) return;
   track.push_back(segment);
   hand_[side] = segment.to;
 }
 
-void Choreographer::lower_left(Tick since, const HandState& low) {
-  const Way way = way_to(kLeft, low, Vec3(0, 0, 0.04));
-  const Tick end = std::max(now_, since + scaled(std::max(stroke::kLongestTransition, way.seconds)));
-  append(kLeft, end, way.segment);
-  now_ = std::max(now_, score_.hands[kLeft].back().end);
+Way Choreographer::way_to(size_t side, const HandState& to, const Vec3& bulge, double digits_lead,
+                          const HandSegment* other) const {
+  const auto hand = static_cast<Side>(side);
+  HandSegment straight;
+  straight.from = hand_[side];
+  straight.to = to;
+  straight.bulge = bulge;
+  const auto with = [&](const std::optional<Quat>& turn_middle) {
+    Way way = find_way(signer_, hand, hand_[side], to, bulge, turn_middle, other);
+    way.segment.digits_lead = digits_lead;
+    way.seconds = std::max(way.seconds, shortest_seconds(signer_, hand, way.segment));
+    return way;
+  };
+  Way way = with(turn_through_joints(signer_, hand, straight));
+  // Where the bent way asks too much of the arm, or still leads into the trunk: turned as the bent way wants it, or as
+  // the hand turns least.
+  constexpr double kTooLong = 0.6, kSecondsPerMetre = 25.0;
+  const auto cost = [](const Way& candidate) { return candidate.seconds + kSecondsPerMetre * candidate.depth; };
+  if (cost(way) <= kTooLong) return way;
+  for (const auto& turn : {turn_through_joints(signer_, hand, way.segment), std::optional<Quat>()}) {
+    const Way candidate = with(turn);
+    if (cost(candidate) < cost(way)) way = candidate;
+  }
+  return way;
+}
+
+void Choreographer::lower_left() {
+  const Way way = way_to(kLeft, signer_.rest(Side::kLeft), Vec3(0, 0, 0.04), 1.0);
+  stay(kLeft, now_);
+  append(kLeft, laid_out(kLeft) + paced(stroke::kLongestTransition, way.seconds), way.segment);
   raised_[kLeft] = false;
 }
 
-void Choreographer::transition(const SignPerformance& performance, const Unit& unit) {
-  double time = stroke::kShortestTransition;
-  bool from_rest = false;
-  for (const size_t side : {kLeft, kRight}) {
-    if (!performance.active[side]) continue;
-    time = std::max(time, stroke::travel_seconds(hand_[side], performance.start[side]));
-    from_rest = from_rest || !raised_[side];
-  }
-  if (unit.spelled && !unit.first_of_word) {
-    // The rate of spelling: transition and hold together make one letter.
-    const double letter = 1.0 / options_.letters_per_second;
-    time = std::max(0.10, std::min(time, letter - stroke::kLetterHold));
-  } else {
-    time = std::clamp(time, stroke::kShortestTransition, stroke::kLongestTransition);
-    if (from_rest) time = std::max(time, stroke::kFromRest);
-  }
+void Choreographer::release_left(size_t unit) {
+  if (!raised_[kLeft]) return;
+  // A hand that is met hangs, wherever it was before: a sign is the same after any other.
+  const bool soon = utterance_.units[unit].spelled || (unit + 1 < utterance_.units.size() && uses_left(unit + 1));
+  if (!soon || meets_left(unit)) lower_left();
+}
+
+void Choreographer::transition(const SignPerformance& performance, size_t index) {
+  const Unit& unit = utterance_.units[index];
+  std::array<double, 2> times{};
   std::array<Way, 2> ways;
   for (const size_t side : {kLeft, kRight}) {
     if (!performance.active[side]) continue;
     const HandState& to = performance.start[side];
+    double time = stroke::travel_seconds(hand_[side], to);
+    if (unit.spelled && !unit.first_of_word) {
+      // The rate of spelling: transition and hold together make one letter.
+      time = std::clamp(time, 0.10, std::max(0.10, 1.0 / options_.letters_per_second - stroke::kLetterHold));
+    } else {
+      time = std::clamp(time, stroke::kShortestTransition, stroke::kLongestTransition);
+      if (!raised_[side]) time = stroke::kFromRest;
+    }
+    times[side] = time;
     const Vec3 way = to.wrist.position - hand_[side].wrist.position;
     const double distance = std::sqrt(glm::dot(way, way));
     // Away from what is left and towards what is met along their normals, and clear of the body on long ways.
     const double lift = std::min(0.06, 0.3 * distance);
-    Vec3 bulge = 0.5 * lift * (performance.approach[side] + leave_[side]);
+    Vec3 bulge = 0.8 * lift * (performance.approach[side] + leave_[side]);
     bulge.z += std::max(0.0, 0.22 * (distance - 0.08));
+    // The base hand goes its way, and the other one keeps clear of it.
     HandSegment left = ways[kLeft].segment;
     if (!performance.active[kLeft]) left.from = left.to = hand_[kLeft];
-    ways[side] =
-        way_to(side, to, bulge, side == kRight && (performance.active[kLeft] || raised_[kLeft]) ? &left : nullptr);
-    ways[side].segment.digits_lead = unit.spelled ? 0.85 : 0.75;
-    time = std::max(time, ways[side].seconds);
-    raised_[side] = true;
+    const bool meets = side == kRight && (performance.active[kLeft] || raised_[kLeft]);
+    ways[side] = way_to(side, to, bulge, unit.spelled ? 0.85 : 0.75, meets ? &left : nullptr);
   }
-  const Tick until = now_ + scaled(time);
+  const Tick right = paced(times[kRight], ways[kRight].seconds);
+  const Tick left = performance.active[kLeft] ? paced(times[kLeft], ways[kLeft].seconds) : 0;
+  Tick until = now_ + right;
+  // The base hand gets ready while the sign before is still being made, unless that one touches it.
+  const Tick free = left_is_met_ ? std::max(now_, laid_out(kLeft)) : laid_out(kLeft);
+  Tick ready = free;
+  if (performance.active[kLeft]) {
+    ready = std::max(free, std::min(now_, until - left) - scaled(stroke::kAnticipation));
+    until = std::max(until, ready + left);
+  } else if (meets_left(index)) {
+    until = std::max(until, laid_out(kLeft));
+  }
   for (const size_t side : {kLeft, kRight}) {
     if (!performance.active[side]) continue;
+    stay(side, side == kLeft ? ready : now_);
     append(side, until, ways[side].segment);
     show(side, performance.start_target[side], until, until);
+    raised_[side] = true;
   }
   now_ = until;
 }
@@ -149,27 +212,27 @@ void Choreographer::add_beats(const SignPerformance& performance, const Unit& un
       // Slower speeds lengthen the letters, faster ones never bring the hold under what can be read.
       time = std::max(time, stroke::kLetterHold * 0.8 * options_.speed);
     }
-    const Tick begin = now_;
     std::array<HandSegment, 2> segments = beat.hands;
+    double least = 0;
     for (const size_t side : {kLeft, kRight}) {
-      if (!performance.active[side]) continue;
-      HandSegment& segment = segments[side];
-      segment.begin = begin;
-      segment.end = begin + scaled(time);
+      if (!performance.active[side] || beat.hold) continue;
+      const auto hand = static_cast<Side>(side);
+      segments[side].turn_middle = turn_through_joints(signer_, hand, segments[side]);
       HandSegment left = segments[kLeft];
       if (!performance.active[kLeft]) left.from = left.to = hand_[kLeft];
-      left.begin = segment.begin;
-      left.end = segment.end;
-      time = std::max(time, keep_clear(signer_, static_cast<Side>(side), segment,
-                                       side == kRight && raised_[kLeft] ? &left : nullptr));
+      keep_clear(signer_, hand, segments[side], side == kRight && raised_[kLeft] ? &left : nullptr);
+      least = std::max({least, shortest_seconds(signer_, hand, segments[side]), seconds_of_wrist(segments[side])});
     }
-    const Tick end = begin + scaled(time);
+    const Tick begin = now_;
+    const Tick end = begin + paced(time, least);
     for (const size_t side : {kLeft, kRight}) {
       if (!performance.active[side]) continue;
       stay(side, begin);
-      segments[side].end = end;
-      score_.hands[side].push_back(segments[side]);
-      hand_[side] = segments[side].to;
+      HandSegment& segment = segments[side];
+      segment.begin = begin;
+      segment.end = end;
+      score_.hands[side].push_back(segment);
+      hand_[side] = segment.to;
       show(side, beat.target[side], beat.hold ? begin : end, end);
     }
     now_ = end;
@@ -186,17 +249,28 @@ void Choreographer::show(size_t side, const std::optional<HandTarget>& target, T
   shown.back().end = end;
 }
 
-double Choreographer::hold_after(size_t unit) const {
+double Choreographer::hold_after(size_t unit, double duration) const {
   double hold = utterance_.units[unit].extra_hold_seconds;
+  const bool ends_phrase = unit + 1 == utterance_.units.size() || !utterance_.units[unit + 1].sign;
+  // The hold takes the lengthening: up to it the sign is the same wherever it stands.
+  if (ends_phrase) hold = std::max(hold, stroke::kFinalLengthening * duration);
   for (const NonManualSpan& span : utterance_.non_manual)
     if (span.ending == "hold last sign" && span.to == static_cast<int>(unit))
       hold = std::max(hold, stroke::kQuestionHold);
   return hold;
 }
 
-void Choreographer::add_features(const FaceWeights& face, const BodyFeature& body, Span span) {
-  const Tick onset = scaled(stroke::kBrowOnset), release = scaled(stroke::kBrowRelease);
-  const Tick begin = std::max<Tick>(0, span.begin - onset / 2), end = span.end + release / 2;
+void Choreographer::add_features(const FaceWeights& face, const BodyFeature& body, size_t from, size_t to) {
+  Tick before = 0, after = spans_[to].end + scaled(stroke::kBrowRelease);
+  for (size_t i = from; i-- > 0 && before == 0;)
+    if (utterance_.units[i].sign) before = spans_[i].end;
+  for (size_t i = to + 1; i < spans_.size(); ++i) {
+    if (!utterance_.units[i].sign) continue;
+    after = std::min(after, spans_[i].begin);
+    break;
+  }
+  const Tick begin = std::max(before, spans_[from].begin - scaled(stroke::kBrowOnset)), end = after;
+  const Tick onset = spans_[from].begin - begin, release = end - spans_[to].end;
   if (any_weight(face)) score_.face.push_back({begin, end, onset, release, face});
   if (any(body)) {
     BodySpan motion;
@@ -212,8 +286,8 @@ void Choreographer::add_features(const FaceWeights& face, const BodyFeature& bod
   }
 }
 
-void Choreographer::add_own_features(const Unit& unit, Span span) {
-  const NonManual& own = unit.sign->non_manual;
+void Choreographer::add_own_features(size_t unit) {
+  const NonManual& own = utterance_.units[unit].sign->non_manual;
   FaceWeights face{};
   BodyFeature body;
   add_brows(own.brows, face);
@@ -224,7 +298,7 @@ void Choreographer::add_own_features(const Unit& unit, Span span) {
   add_head(own.head, body);
   add_shoulders(own.shoulders, body);
   add_gaze(own.gaze, body, face);
-  add_features(face, body, span);
+  add_features(face, body, unit, unit);
 }
 
 void Choreographer::add_mouthing(const Unit& unit, Span span) {
@@ -250,13 +324,13 @@ void Choreographer::add_spans() {
     add_mouth(span.mouth, face);
     add_head(span.head, body);
     add_gaze(span.gaze, body, face);
-    const Span time{spans_[static_cast<size_t>(span.from)].begin, spans_[static_cast<size_t>(span.to)].end};
-    add_features(face, body, time);
+    add_features(face, body, static_cast<size_t>(span.from), static_cast<size_t>(span.to));
     if (span.ending == "pause/blink") {
       FaceWeights blink{};
       add_eyes("blink", blink);
       const Tick half = ticks(0.09);
-      score_.face.push_back({time.end, time.end + 2 * half, half, half, blink});
+      const Tick end = spans_[static_cast<size_t>(span.to)].end;
+      score_.face.push_back({end, end + 2 * half, half, half, blink});
     }
   }
 }
@@ -267,51 +341,40 @@ Result<Score> Choreographer::run() {
     return fail(ErrorCode::kUsage, "the speed must lie between 0.25 and 4");
   const HandState low_left = signer_.rest(Side::kLeft), low_right = signer_.rest(Side::kRight);
   now_ = scaled(0.15);
-  stay(kLeft, now_);
   stay(kRight, now_);
   for (size_t i = 0; i < utterance_.units.size(); ++i) {
     const Unit& unit = utterance_.units[i];
     if (!unit.sign) {
       const Tick begin = now_;
-      now_ += scaled(unit.pause_seconds);
       // At the end of a sentence the base hand is lowered, unless the next sign begins with it.
       const bool base_waits = i + 1 < utterance_.units.size() && uses_left(i + 1);
-      if (unit.pause_seconds >= stroke::kSentencePause && raised_[kLeft] && !base_waits) lower_left(begin, low_left);
-      stay(kLeft, now_);
+      if (unit.pause_seconds >= stroke::kSentencePause && raised_[kLeft] && !base_waits) lower_left();
+      now_ += scaled(unit.pause_seconds);
       stay(kRight, now_);
       spans_.push_back({begin, now_});
       continue;
     }
+    if (!uses_left(i)) release_left(i);
     auto performance = perform(signer_, utterance_, unit, hand_);
     if (!performance) return tl::unexpected(performance.error());
-    const Tick before = now_;
-    transition(*performance, unit);
+    transition(*performance, i);
     const Tick begin = now_;
     add_beats(*performance, unit);
+    left_is_met_ = meets_left(i);
     const Tick held = now_;
-    now_ += scaled(std::max(1e-6, hold_after(i)));
-    for (auto& shown : score_.targets)
-      if (!shown.empty() && shown.back().end == held && shown.back().begin < held) shown.back().end = now_;
-    stay(kRight, now_);
-    if (performance->active[kLeft]) {
-      stay(kLeft, now_);
-    } else if (raised_[kLeft]) {
-      // The base hand waits where it is for the next sign that needs it, and is lowered otherwise.
-      const bool soon = unit.spelled || (i + 1 < utterance_.units.size() && uses_left(i + 1));
-      if (soon) {
-        stay(kLeft, now_);
-      } else {
-        lower_left(before, low_left);
-        stay(kRight, now_);
-      }
-    } else {
-      stay(kLeft, now_);
+    if (const double hold = hold_after(i, seconds(held - begin) * options_.speed); hold > 0) {
+      now_ += scaled(hold);
+      for (auto& shown : score_.targets)
+        if (!shown.empty() && shown.back().end == held && shown.back().begin < held) shown.back().end = now_;
+      stay(kRight, now_);
+      if (performance->active[kLeft]) stay(kLeft, now_);
     }
     const Span span{begin, now_};
     spans_.push_back(span);
     score_.glosses.push_back({unit.label, begin, now_, unit.spelled, static_cast<int>(i)});
-    add_own_features(unit, span);
   }
+  for (size_t i = 0; i < utterance_.units.size(); ++i)
+    if (utterance_.units[i].sign) add_own_features(i);
   // Mouthing runs over a sign, or over all letters of a spelled word.
   for (size_t i = 0; i < utterance_.units.size() && options_.mouthing; ++i) {
     const Unit& unit = utterance_.units[i];
@@ -320,12 +383,16 @@ Result<Score> Choreographer::run() {
     add_mouthing(unit, {spans_[i].begin, spans_[last].end});
   }
   add_spans();
-  const std::array<Way, 2> ways = {way_to(kLeft, low_left, Vec3(0, 0, 0.05)),
-                                   way_to(kRight, low_right, Vec3(0, 0, 0.05))};
-  const Tick lowered = now_ + scaled(std::max({stroke::kFromRest + 0.1, ways[kLeft].seconds, ways[kRight].seconds}));
-  for (const size_t side : {kLeft, kRight})
-    append(side, side == kLeft && !raised_[kLeft] ? now_ : lowered, ways[side].segment);
-  score_.end = lowered + scaled(0.25);
+  // The hands drop and relax; one that hangs already stays as it is.
+  Tick lowered = now_;
+  for (const size_t side : {kLeft, kRight}) {
+    if (!raised_[side]) continue;
+    const Way way = way_to(side, side == kLeft ? low_left : low_right, Vec3(0, 0, 0.05), 1.0);
+    stay(side, now_);
+    append(side, now_ + paced(stroke::kFromRest + 0.1, way.seconds), way.segment);
+    lowered = std::max(lowered, laid_out(side));
+  }
+  score_.end = std::max(lowered, laid_out(kLeft)) + scaled(0.25);
   stay(kLeft, score_.end);
   stay(kRight, score_.end);
   return std::move(score_);

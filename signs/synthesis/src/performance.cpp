@@ -45,6 +45,14 @@ HandAngles mix(const HandAngles& a, const HandAngles& b, double t) {
   return m;
 }
 
+/// From a through the middle (s = 1/2) to b: a parabola in the rotation vector from the middle, which is slerp where
+/// the three lie on one turn.
+Quat through(const Quat& a, const Quat& middle, const Quat& b, double s) {
+  const Quat back = glm::conjugate(middle);
+  const Vec3 to_a = rotation_vector(a * back), to_b = rotation_vector(b * back);
+  return from_rotation_vector(to_a * ((1.0 - s) * (1.0 - 2.0 * s)) + to_b * (s * (2.0 * s - 1.0))) * middle;
+}
+
 void oscillate(const Oscillation& oscillation, double tau, HandState& state) {
   if (oscillation.cycles <= 0) return;
   // Fades in over the first and out over the last quarter cycle, so that it starts and ends at rest.
@@ -56,10 +64,11 @@ void oscillate(const Oscillation& oscillation, double tau, HandState& state) {
   if (oscillation.turn != Vec3(0.0))
     state.wrist.rotation = from_rotation_vector(oscillation.turn * wave) * state.wrist.rotation;
   if (oscillation.flex != 0) {
-    const double closing = fade * 0.5 * (1.0 - cosine(angle)) * oscillation.flex;
+    // Towards the fist, and no farther: a joint with less room moves less instead of stopping short.
+    const double closing = fade * 0.5 * (1.0 - cosine(angle));
     for (DigitAngles& finger : state.angles.fingers) {
-      finger.mcp = std::min(finger.mcp + closing, 95 * kDegree);
-      finger.pip = std::min(finger.pip + closing, 105 * kDegree);
+      finger.mcp += closing * std::clamp(95 * kDegree - finger.mcp, 0.0, oscillation.flex);
+      finger.pip += closing * std::clamp(105 * kDegree - finger.pip, 0.0, oscillation.flex);
     }
   }
   if (oscillation.wiggle != 0) {
@@ -106,7 +115,10 @@ void mirror_pose(const std::vector<int>& table, Pose& pose) {
 
 HandState state_at(const HandSegment& segment, Tick time) {
   const double length = static_cast<double>(std::max<Tick>(1, segment.end - segment.begin));
-  const double tau = std::clamp(static_cast<double>(time - segment.begin) / length, 0.0, 1.0);
+  return state_after(segment, std::clamp(static_cast<double>(time - segment.begin) / length, 0.0, 1.0));
+}
+
+HandState state_after(const HandSegment& segment, double tau) {
   const double s = minimum_jerk(tau);
   const HandState &a = segment.from, &b = segment.to;
   HandState state;
@@ -117,7 +129,8 @@ HandState state_at(const HandSegment& segment, Tick time) {
     sine_cosine(2.0 * kPi * segment.turns * s, sn, cs);
     state.wrist.position += segment.circle_u * (cs - 1.0) + segment.circle_v * sn;
   }
-  state.wrist.rotation = slerp(a.wrist.rotation, b.wrist.rotation, s);
+  state.wrist.rotation = segment.turn_middle ? through(a.wrist.rotation, *segment.turn_middle, b.wrist.rotation, s)
+                                             : slerp(a.wrist.rotation, b.wrist.rotation, s);
   state.swivel = mix(a.swivel, b.swivel, s) + segment.swivel_bulge * (4.0 * s * (1.0 - s));
   state.follows_head = mix(a.follows_head, b.follows_head, s);
   state.angles = mix(a.angles, b.angles, minimum_jerk(tau / std::max(0.05, segment.digits_lead)));
@@ -192,7 +205,7 @@ void Performance::sample(Tick time, Pose& pose) const {
     head_turn += span.head * strength;
     trunk_turn += span.trunk * strength;
     if (span.swing_hz > 0)
-      head_turn += span.swing * (strength * sine(2.0 * kPi * span.swing_hz * seconds(time - span.begin)));
+      head_turn += span.swing * (strength * sine(2.0 * kPi * span.swing_hz * seconds(time - span.begin - span.onset)));
   }
   if (options_.idle) trunk_turn.x -= kBreath * sine(2.0 * kPi * kBreathHz * seconds(time));
   const int spine = skeleton.find("spine_base"), neck = skeleton.find("neck_base"), head = skeleton.find("head_base");

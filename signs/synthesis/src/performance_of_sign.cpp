@@ -319,7 +319,7 @@ void SignBuilder::add_path(const Step& step) {
   segment.to = dominant_[to].state;
   const Vec3 way = segment.to.wrist.position - segment.from.wrist.position;
   const double distance = std::sqrt(glm::dot(way, way));
-  double time = std::max(0.20, stroke::travel_seconds(segment.from, segment.to) + 0.06);
+  double time = std::max(0.18, stroke::travel_seconds(segment.from, segment.to) + 0.03);
   if (has_base_) time = std::max(time, stroke::travel_seconds(base_[from].state, base_[to].state));
   int repeats = 1;
   const Movement* lead = step.movements.front();
@@ -338,7 +338,7 @@ void SignBuilder::add_path(const Step& step) {
       case MoveKind::kCircle:
       case MoveKind::kSpiral:
         circle_of(*movement, from, segment);
-        time = std::max(time, 0.45 * segment.turns);
+        time = std::max(time, stroke::kTurnOfCircle * segment.turns);
         break;
       case MoveKind::kShake:
       case MoveKind::kSway:
@@ -351,7 +351,7 @@ void SignBuilder::add_path(const Step& step) {
           oscillation.shift = across(axis, Vec3(1, 0, 0)) * (stroke::amplitude(movement->size) * 0.5);
         oscillation.cycles = std::max(oscillation.cycles, 2.0);
         segment.oscillation = oscillation;
-        time = std::max(time, 0.2 * oscillation.cycles);
+        time = std::max(time, stroke::kCycle * oscillation.cycles);
         break;
       }
       default:
@@ -377,7 +377,7 @@ void SignBuilder::add_tap(const Movement& movement, size_t phase) {
   HandSegment out = in;
   std::swap(out.from, out.to);
   const int repeats = std::max(1, movement.repeats);
-  const double time = (0.10 + 1.0 * reach) * stroke::manner_factor(movement.manner);
+  const double time = (0.08 + 0.8 * reach) * stroke::manner_factor(movement.manner);
   if (result_.beats.empty()) {
     // The transition ends before the contact, so that the contact itself is a stroke.
     for (int i = 0; i < repeats; ++i) {
@@ -414,7 +414,7 @@ void SignBuilder::add_local(const Step& step) {
       case MoveKind::kCircle:
       case MoveKind::kSpiral:
         circle_of(*movement, phase, segment);
-        time = std::max(time, 0.42 * segment.turns * factor);
+        time = std::max(time, stroke::kTurnOfCircle * segment.turns * factor);
         lead = movement;
         break;
       default: {
@@ -425,7 +425,7 @@ void SignBuilder::add_local(const Step& step) {
         sum.wiggle = std::max(sum.wiggle, more.wiggle);
         sum.flex = std::max(sum.flex, more.flex);
         sum.cycles = std::max(sum.cycles, more.cycles);
-        time = std::max(time, (0.10 + 0.23 * more.cycles) * factor);
+        time = std::max(time, (0.08 + stroke::kCycle * more.cycles) * factor);
         lead = movement;
         break;
       }

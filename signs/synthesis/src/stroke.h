@@ -13,12 +13,16 @@ namespace auslan::stroke {
 
 // A stroke of fluent signing takes about 0.2 to 0.5 s, a transition 0.15 to 0.45 s; holds at phonological targets are
 // at least 80 ms, at letters 120 ms (reference on motion and the project's quality limits).
-inline constexpr double kSignHold = 0.11;
+inline constexpr double kSignHold = 0.085;
 inline constexpr double kLetterHold = 0.15;
-inline constexpr double kShortestTransition = 0.17;
+inline constexpr double kShortestTransition = 0.15;
 inline constexpr double kLongestTransition = 0.45;
-inline constexpr double kFromRest = 0.50;      ///< raising the hands at the start, lowering them at the end
-inline constexpr double kSentencePause = 0.4;  ///< a pause at least this long ends a sentence
+inline constexpr double kTurnOfCircle = 0.32;      ///< once round
+inline constexpr double kCycle = 0.165;            ///< of a shake, a twist, a nod
+inline constexpr double kFromRest = 0.50;          ///< raising the hands at the start, lowering them at the end
+inline constexpr double kAnticipation = 0.10;      ///< by which the base hand sets out before it has to
+inline constexpr double kFinalLengthening = 0.12;  ///< of the last sign of a phrase, as a share of it
+inline constexpr double kSentencePause = 0.4;      ///< a pause at least this long ends a sentence
 inline constexpr double kQuestionHold = 0.30;
 inline constexpr double kBrowOnset = 0.18;
 inline constexpr double kBrowRelease = 0.25;
@@ -82,7 +86,7 @@ inline double travel_seconds(const HandState& a, const HandState& b) {
   const double distance = std::sqrt(glm::dot(way, way));
   const double turning = angle_between(a.wrist.rotation, b.wrist.rotation);
   const double fingers = largest_digit_change(a.angles, b.angles);
-  return std::max({0.12 + 0.62 * distance, 0.10 + 0.14 * turning, 0.10 + 0.07 * fingers});
+  return std::max({0.09 + 0.42 * distance, 0.08 + 0.09 * turning, 0.08 + 0.05 * fingers});
 }
 
 }  // namespace auslan::stroke

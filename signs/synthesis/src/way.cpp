@@ -14,12 +14,8 @@ namespace {
 constexpr int kSamples = 8;
 // Depths count from a little above the surface.
 constexpr double kTolerated = 0.0025, kRoom = 0.003;  // metres
-constexpr double kFarthest = 0.25;                    // that a path is bent, metres
+constexpr double kFarthest = 0.36;                    // that a path is bent, metres
 constexpr double kFastest = 3.6;                      // of a wrist, metres a second; the limit of the project is 4
-
-HandState state_after(const HandSegment& segment, double share) {
-  return state_at(segment, segment.begin + static_cast<Tick>(share * static_cast<double>(segment.end - segment.begin)));
-}
 
 /// One hand on its way, and what the other does meanwhile.
 struct Journey {
@@ -61,13 +57,15 @@ Sample deepest_sample(const Journey& journey, double from_depth, double to_depth
   return worst;
 }
 
-void bend_out(const Journey& journey) {
-  constexpr int kRounds = 6;
+/// Returns how deep the hand still goes, metres; 0 where that is too little to count.
+double bend_out(const Journey& journey) {
+  constexpr int kRounds = 8;
   const double from_depth = journey.depth(0.0).depth.metres, to_depth = journey.depth(1.0).depth.metres;
   HandSegment& segment = journey.segment;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0;; ++round) {
     const Sample worst = deepest_sample(journey, from_depth, to_depth);
-    if (worst.index == 0) return;
+    if (worst.index == 0) return 0.0;
+    if (round == kRounds) return worst.found.depth.metres;
     const double s = minimum_jerk(static_cast<double>(worst.index) / kSamples);
     const Depth& depth = worst.found.depth;
     // Round the body forwards, not round its back, to which it may be nearer.
@@ -115,22 +113,27 @@ double peak_speed(const HandSegment& segment) {
 }  // namespace
 
 Way find_way(const Signer& signer, Side side, const HandState& from, const HandState& to, const Vec3& bulge,
-             const HandSegment* other) {
+             const std::optional<Quat>& turn_middle, const HandSegment* other) {
   Way way;
   way.segment.end = kTicksPerSecond;
   way.segment.from = from;
   way.segment.to = to;
   way.segment.bulge = bulge;
-  way.seconds = keep_clear(signer, side, way.segment, other);
+  way.segment.turn_middle = turn_middle;
+  way.depth = keep_clear(signer, side, way.segment, other);
+  way.seconds = seconds_of_wrist(way.segment);
   return way;
 }
 
 double keep_clear(const Signer& signer, Side side, HandSegment& segment, const HandSegment* other) {
   const Vec3 apart = segment.to.wrist.position - segment.from.wrist.position;
-  if (glm::dot(apart, apart) > 1e-4 && segment.turns == 0) {
-    bend_out({signer, side, segment, other});
-    swing_out(signer, side, segment);
-  }
+  if (glm::dot(apart, apart) < 1e-4 || segment.turns > 0) return 0.0;
+  const double depth = bend_out({signer, side, segment, other});
+  swing_out(signer, side, segment);
+  return depth;
+}
+
+double seconds_of_wrist(const HandSegment& segment) {
   return peak_speed(segment) / kFastest;
 }
 

@@ -6,21 +6,27 @@
 #include "synthesis/score.h"
 #include "synthesis/signer.h"
 
+#include <optional>
+
 namespace auslan {
 
 /// A segment without times, and how long it takes at least.
 struct Way {
   HandSegment segment;
   double seconds = 0;
+  double depth = 0;  ///< how deep the hand still goes into something on the way, metres; 0 where too little to count
 };
 
-/// `bulge`: how the path is bent in any case. Where it would lead through head, trunk or the other arm it is bent out
-/// of them, and the elbow swung out where the forearm would run into the trunk. What the ends touch may be touched near
-/// them too. `other`: what the other arm does at the same time, or null.
+/// `bulge` and `turn_middle`: how path and hand are bent in any case. Where it would lead through head, trunk or the
+/// other arm it is bent out of them, and the elbow swung out where the forearm would run into the trunk. What the ends
+/// touch may be touched near them too. `other`: what the other arm does at the same time, or null.
 Way find_way(const Signer& signer, Side side, const HandState& from, const HandState& to, const Vec3& bulge,
-             const HandSegment* other);
+             const std::optional<Quat>& turn_middle, const HandSegment* other);
 
-/// The same for a path that an entry prescribes. Returns how long it takes at least, seconds.
+/// The same for a path that an entry prescribes: bends it as little as it takes. Returns the depth that is left.
 double keep_clear(const Signer& signer, Side side, HandSegment& segment, const HandSegment* other);
+
+/// How long a segment takes at least for its wrist not to be faster than people's.
+double seconds_of_wrist(const HandSegment& segment);
 
 }  // namespace auslan

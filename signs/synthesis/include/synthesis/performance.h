@@ -41,5 +41,7 @@ class Performance {
 
 /// The state of a hand within a segment, trunk and head at rest.
 HandState state_at(const HandSegment& segment, Tick time);
+/// The same after a share of the segment, 0 to 1, whatever its times are.
+HandState state_after(const HandSegment& segment, double share);
 
 }  // namespace auslan

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,10 +50,11 @@ struct Oscillation {
 struct HandSegment {
   Tick begin = 0, end = 0;
   HandState from, to;
-  Vec3 bulge{0.0};          ///< displacement of the middle of the path from the straight line, metres
-  double swivel_bulge = 0;  ///< by which the elbow swings out in the middle of the path, radians
-  Vec3 circle_u{0.0};       ///< from the circle's centre to the starting point, metres; zero: no circle
-  Vec3 circle_v{0.0};       ///< a quarter turn further
+  Vec3 bulge{0.0};                  ///< displacement of the middle of the path from the straight line, metres
+  std::optional<Quat> turn_middle;  ///< world_from_wrist in the middle of the path; none: the shortest turn is made
+  double swivel_bulge = 0;          ///< by which the elbow swings out in the middle of the path, radians
+  Vec3 circle_u{0.0};               ///< from the circle's centre to the starting point, metres; zero: no circle
+  Vec3 circle_v{0.0};               ///< a quarter turn further
   double turns = 0;
   double digits_lead = 1;  ///< the digits arrive after this fraction of the segment: handshape leads location
   Oscillation oscillation;
@@ -71,7 +73,7 @@ struct BodySpan {
   Tick onset = 0, release = 0;
   Vec3 head{0.0};   ///< rotation vector of the head against the trunk, radians
   Vec3 trunk{0.0};  ///< rotation vector of the trunk about the spine base
-  Vec3 swing{0.0};  ///< amplitude of a head oscillation
+  Vec3 swing{0.0};  ///< amplitude of a head oscillation, in its middle when the onset is over
   double swing_hz = 0;
 };
 

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "turning.h"
+
+#include "kinematics/arm_ik.h"
+#include "kinematics/interpolate.h"
+#include "kinematics/limits.h"
+#include "kinematics/pose.h"
+#include "kinematics/rotation.h"
+#include "synthesis/joint_speed.h"
+#include "synthesis/performance.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace auslan {
+namespace {
+
+// Below this the hand keeps its direction, radians.
+constexpr double kNoTurn = 1e-3;
+
+ArmSolution arm_of(const Signer& signer, Side side, const HandState& state) {
+  const Skeleton& skeleton = signer.figure().skeleton;
+  const int parent = skeleton.node(arm_nodes(skeleton, side).shoulder).parent;
+  return solve_arm(skeleton, side, {kIdentity, skeleton.rest_position(parent)}, state.wrist, state.swivel);
+}
+
+JointAngles middle(const JointAngles& a, const JointAngles& b) {
+  return {0.5 * (a.flexion + b.flexion), 0.5 * (a.abduction + b.abduction), 0.5 * (a.twist + b.twist)};
+}
+
+bool digits_move(const HandSegment& segment) {
+  const HandAngles &a = segment.from.angles, &b = segment.to.angles;
+  for (size_t i = 0; i < 4; ++i)
+    if (a.fingers[i].mcp != b.fingers[i].mcp || a.fingers[i].pip != b.fingers[i].pip ||
+        a.fingers[i].dip != b.fingers[i].dip || a.fingers[i].abduction != b.fingers[i].abduction)
+      return true;
+  return a.thumb.radial_abduction != b.thumb.radial_abduction || a.thumb.palmar_abduction != b.thumb.palmar_abduction ||
+         a.thumb.opposition != b.thumb.opposition || a.thumb.mp != b.thumb.mp || a.thumb.ip != b.thumb.ip ||
+         segment.oscillation.flex != 0.0 || segment.oscillation.wiggle != 0.0;
+}
+
+}  // namespace
+
+double fastest_turn(std::string_view node) {
+  if (node == "spine_base") return joint_speed::kTrunk;
+  if (node == "neck_base" || node == "head_base") return joint_speed::kNeck;
+  if (node.starts_with("shoulder_")) return joint_speed::kShoulder;
+  if (node.starts_with("elbow_")) return joint_speed::kElbow;
+  if (node.starts_with("wrist_")) return joint_speed::kWrist;
+  return joint_speed::kDigit;
+}
+
+std::optional<Quat> turn_through_joints(const Signer& signer, Side side, const HandSegment& segment) {
+  if (angle_between(segment.from.wrist.rotation, segment.to.wrist.rotation) < kNoTurn) return std::nullopt;
+  const Skeleton& skeleton = signer.figure().skeleton;
+  const ArmNodes nodes = arm_nodes(skeleton, side);
+  const ArmSolution from = arm_of(signer, side, segment.from), to = arm_of(signer, side, segment.to);
+  HandState half;
+  half.wrist.position = 0.5 * (segment.from.wrist.position + segment.to.wrist.position) + segment.bulge;
+  half.wrist.rotation = slerp(segment.from.wrist.rotation, segment.to.wrist.rotation, 0.5);
+  half.swivel = 0.5 * (segment.from.swivel + segment.to.swivel) + segment.swivel_bulge;
+  const ArmSolution arm = arm_of(signer, side, half);
+  JointAngles elbow = joint_angles(skeleton, nodes.elbow, arm.elbow);
+  elbow.twist =
+      middle(joint_angles(skeleton, nodes.elbow, from.elbow), joint_angles(skeleton, nodes.elbow, to.elbow)).twist;
+  const JointAngles wrist =
+      middle(joint_angles(skeleton, nodes.wrist, from.wrist), joint_angles(skeleton, nodes.wrist, to.wrist));
+  return arm.shoulder * from_joint_angles(skeleton, nodes.elbow, elbow) *
+         from_joint_angles(skeleton, nodes.wrist, wrist);
+}
+
+double shortest_seconds(const Signer& signer, Side side, const HandSegment& segment) {
+  constexpr int kSteps = 32, kDigitSteps = 2;
+  const Skeleton& skeleton = signer.figure().skeleton;
+  const bool with_digits = digits_move(segment);
+  HandSegment second = segment;
+  second.begin = 0;
+  second.end = kTicksPerSecond;
+  ArmSolution before = arm_of(signer, side, segment.from);
+  Pose hand_before, hand_now;
+  if (with_digits) {
+    hand_before = hand_now = rest_pose(skeleton);
+    pose_hand(skeleton, side, segment.from.angles, hand_before);
+  }
+  double needed = 0.0;
+  for (int i = 1; i <= kSteps; ++i) {
+    const HandState state = state_at(second, kTicksPerSecond * i / kSteps);
+    const ArmSolution now = arm_of(signer, side, state);
+    needed = std::max({needed, angle_between(before.shoulder, now.shoulder) * kSteps / joint_speed::kShoulder,
+                       angle_between(before.elbow, now.elbow) * kSteps / joint_speed::kElbow,
+                       angle_between(before.wrist, now.wrist) * kSteps / joint_speed::kWrist});
+    before = now;
+    if (!with_digits || i % kDigitSteps != 0) continue;
+    pose_hand(skeleton, side, state.angles, hand_now);
+    for (const auto& digit : arm_nodes(skeleton, side).digits)
+      for (const int node : digit) {
+        const auto n = static_cast<size_t>(node);
+        needed = std::max(needed, angle_between(hand_before.rotation[n], hand_now.rotation[n]) * kSteps /
+                                      (kDigitSteps * joint_speed::kDigit));
+      }
+    std::swap(hand_before, hand_now);
+  }
+  // What lies between the steps may be a little faster.
+  return 1.05 * needed;
+}
+
+}  // namespace auslan
