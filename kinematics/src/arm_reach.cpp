@@ -11,7 +11,6 @@
 namespace auslan {
 namespace {
 
-constexpr int kRounds = 8;
 // The hand is brought this far within the limits, so that what later turns it a little does not break them again.
 constexpr double kInside = 1.0 * kDegree;
 // From this far within a limit a joint gives way.
@@ -84,18 +83,19 @@ ArmReach::ArmReach(ArmReach&&) noexcept = default;
 ArmReach& ArmReach::operator=(ArmReach&&) noexcept = default;
 ArmReach::~ArmReach() = default;
 
-ArmReach::Reached ArmReach::reach(const Quat& wanted, const Vec3& pivot, const Vec3& target, double swivel) const {
+ArmReach::Reached ArmReach::reach(const Quat& wanted, const Vec3& pivot, const Vec3& target, double swivel,
+                                  int rounds) const {
   const State& s = *state_;
   Reached reached;
   reached.wrist.rotation = wanted;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < rounds; ++round) {
     reached.wrist.position = target - reached.wrist.rotation * pivot;
     reached.arm = solve_in_parent(s.arm, reached.wrist, swivel);
     JointAngles elbow = angles_about(s.elbow, reached.arm.elbow);
     JointAngles wrist = angles_about(s.wrist, reached.arm.wrist);
     s.share_twist(elbow, wrist);
     if (squared_excess(s.elbow_within, elbow) == 0.0 && squared_excess(s.wrist_within, wrist) == 0.0) break;
-    if (round + 1 == kRounds) break;
+    if (round + 1 == rounds) break;
     // The forearm can turn the hand and the wrist can bend it; the elbow's own bend is the place's matter.
     JointAngles turned = brought_within(s.elbow_within, elbow);
     turned.flexion = elbow.flexion;

@@ -26,7 +26,9 @@ constexpr JointLimits degrees(double flexion_low, double flexion_high, double ab
 }
 
 // Horizontal adduction (135 degrees with the arm raised by 90) is 64 degrees of adduction beside 64 of flexion.
-constexpr JointLimits kShoulder = degrees(-60, 180, -64, 180, -90, 70);
+// Medial rotation is 70 degrees in the norm, with the arm raised sideways; with the arm beside the body it is 95 and
+// more (Kapandji, The Physiology of the Joints), and that is where a hand reaches across to the other arm.
+constexpr JointLimits kShoulder = degrees(-60, 180, -64, 180, -90, 95);
 constexpr JointLimits kElbow = degrees(0, 150, -kSlack, kSlack, -80, 80);
 constexpr JointLimits kWrist = degrees(-70, 80, -30, 20, -kSlack, kSlack);
 

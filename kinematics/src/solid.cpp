@@ -153,8 +153,14 @@ Solid::Solid(const Mesh& mesh) {
 Solid::Part Solid::make_part(std::span<const glm::vec3> positions, std::span<const uint32_t> indices,
                              std::span<const uint32_t> triangles) {
   Part part;
-  std::map<uint32_t, Vec3> of_corner;
-  std::map<std::pair<uint32_t, uint32_t>, Vec3> of_edge;
+  std::vector<Vec3> of_corner(positions.size(), Vec3(0.0));
+  struct Edge {
+    std::pair<uint32_t, uint32_t> ends;
+    size_t triangle, corner;
+  };
+  std::vector<Edge> edges;
+  edges.reserve(3 * triangles.size());
+  part.triangles.reserve(triangles.size());
   const auto index = [&](uint32_t triangle, size_t corner) { return indices[3 * size_t{triangle} + corner % 3]; };
   const auto edge = [&](uint32_t triangle, size_t corner) {
     return std::minmax({index(triangle, corner), index(triangle, corner + 1)});
@@ -167,17 +173,23 @@ Solid::Part Solid::make_part(std::span<const glm::vec3> positions, std::span<con
     const std::array<Vec3, 3>& at = triangle.corner;
     triangle.normal = unit(glm::cross((at[1] - at[0]) * 1e3, (at[2] - at[0]) * 1e3), Vec3(0.0));
     for (size_t c = 0; c < 3; ++c) {
-      of_corner.try_emplace(index(i, c), 0.0).first->second +=
-          triangle.normal * corner_angle(at[c], at[(c + 1) % 3], at[(c + 2) % 3]);
-      of_edge.try_emplace(edge(i, c), 0.0).first->second += triangle.normal;
+      of_corner[index(i, c)] += triangle.normal * corner_angle(at[c], at[(c + 1) % 3], at[(c + 2) % 3]);
+      edges.push_back({edge(i, c), part.triangles.size(), c});
     }
     part.triangles.push_back(triangle);
   }
-  for (size_t i = 0; i < triangles.size(); ++i) {
-    for (size_t c = 0; c < 3; ++c) {
+  for (size_t i = 0; i < triangles.size(); ++i)
+    for (size_t c = 0; c < 3; ++c)
       part.triangles[i].corner_normal[c] = of_corner[index(triangles[i], c)];
-      part.triangles[i].edge_normal[c] = of_edge[edge(triangles[i], c)];
-    }
+  std::ranges::sort(edges, [](const Edge& a, const Edge& b) {
+    return std::tie(a.ends, a.triangle, a.corner) < std::tie(b.ends, b.triangle, b.corner);
+  });
+  for (size_t first = 0, last = 0; first < edges.size(); first = last) {
+    Vec3 sum(0.0);
+    for (last = first; last < edges.size() && edges[last].ends == edges[first].ends; ++last)
+      sum += part.triangles[edges[last].triangle].normal;
+    for (size_t i = first; i < last; ++i)
+      part.triangles[edges[i].triangle].edge_normal[edges[i].corner] = sum;
   }
   // The tree is made of numbers; the triangles are moved once.
   std::vector<uint32_t> order(part.triangles.size());

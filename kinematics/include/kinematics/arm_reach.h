@@ -30,8 +30,9 @@ class ArmReach {
 
   /// Puts the hand's `pivot` (wrist frame) on `target`. Where the wanted orientation would break the limits of forearm
   /// or wrist, the hand leans to the nearest one within them: each angle is brought into its range, and as that moves
-  /// the wrist, again until it stays. Total: what is out of reach is approached, and told by `off`.
-  Reached reach(const Quat& wanted, const Vec3& pivot, const Vec3& target, double swivel) const;
+  /// the wrist, again until it stays, `rounds` times at most. Total: what is out of reach is approached, and told by
+  /// `off`.
+  Reached reach(const Quat& wanted, const Vec3& pivot, const Vec3& target, double swivel, int rounds = 8) const;
 
   /// Radians by which shoulder, elbow and wrist break their limits for a wrist that stays as it is: the root of the sum
   /// of squares.

@@ -7,7 +7,7 @@
 namespace auslan {
 namespace {
 
-constexpr size_t kDigitPoints = 24, kPalmPoints = 80, kArmPoints = 40;
+constexpr size_t kDigitPoints = 20, kPalmPoints = 72, kArmPoints = 24;
 
 double squared(const Vec3& v) {
   return glm::dot(v, v);

@@ -13,9 +13,10 @@
 namespace auslan {
 namespace {
 
-constexpr int kIterations = 24;
-constexpr double kDeepest = 0.25;   // no part of a body is thicker than twice this, metres
-constexpr double kFarthest = 0.06;  // from what is to be touched, metres
+constexpr int kIterations = 24, kPatience = 7;  // rounds without progress
+constexpr double kProgress = 0.0003;            // metres
+constexpr double kDeepest = 0.25;               // no part of a body is thicker than twice this, metres
+constexpr double kFarthest = 0.06;              // from what is to be touched, metres
 // A turn of a radian counts as much as so many metres of shift.
 constexpr double kTurnLength = 0.2;
 constexpr double kDamping = 0.02;
@@ -28,8 +29,8 @@ constexpr double kLeanWeight = 0.05, kFarLeanWeight = 2.0;
 // Of one step.
 constexpr double kLongestShift = 0.012, kLargestTurn = 4.0 * kDegree;
 // Deeper than this a surface may not be what it seems: a foreign figure's loose hair has no inside.
-constexpr double kFarIn = 0.03;
-constexpr double kTouches = 0.0007, kGoodEnough = 0.0002;  // metres
+constexpr double kFarIn = 0.1;
+constexpr double kTouches = 0.0007, kGoodEnough = 0.0008;  // metres
 
 constexpr size_t kFree = 6;
 using Row = std::array<double, kFree>;  // of a shift (metres) and a turn (metres by kTurnLength)
@@ -169,6 +170,7 @@ HandFit fit_hand(const Transform& world_from_wrist, double swivel, std::span<con
   Transform wrist = world_from_wrist;
   HandFit best;
   double least = 1e9, excess = 0.0;
+  int improved = 0;
   for (int iteration = 0; iteration <= kIterations; ++iteration) {
     struct Deep {
       Row row;
@@ -202,11 +204,12 @@ HandFit fit_hand(const Transform& world_from_wrist, double swivel, std::span<con
     const double cost = std::min(deepest, kFarIn) + kExcessLength * excess + 2.0 * std::max(0.0, gap - kTouches) +
                         0.02 * leaning + 0.2 * std::max(0.0, leaning - goal.free_lean) +
                         0.3 * std::max(0.0, slide - kFreeSlide);
+    if (cost < least - kProgress) improved = iteration;
     if (cost < least) {
       least = cost;
       best = {wrist, swivel, touch.point, gap, deepest, cost};
     }
-    if (iteration == kIterations || cost < kGoodEnough) break;
+    if (iteration == kIterations || cost < kGoodEnough || iteration - improved > kPatience) break;
 
     NormalEquations equations;
     for (const Deep& point : deep)

@@ -254,20 +254,20 @@ PlacedHand Signer::place(const Posture& posture, const Handshape& handshape, Sid
   std::vector<Vec3> touching;
   if (placed.touching) touching = region(part, local, patches);
   const auto admit = [&](const Vec3& pivot, Transform& wrist, double& swivel) {
-    constexpr double kEnough = 0.1 * kDegree, kStep = 4.0 * kDegree;
+    constexpr double kEnough = 0.5 * kDegree, kStep = 5.0 * kDegree;
     const Vec3& parent = parent_[static_cast<size_t>(side)];
     const Vec3 place = apply(wrist, pivot) - parent;
-    // A centimetre of the forearm in something is as bad as six degrees of leaning.
+    // A centimetre of the forearm in something is as bad as fourteen degrees of leaning.
     const auto missing = [&](const ArmReach::Reached& reached, double trial_swivel) {
       HandState trial = state;
       trial.wrist = {reached.wrist.rotation, reached.wrist.position + parent};
       trial.swivel = trial_swivel;
-      return reached.lean + 3.0 * reached.excess + 10.0 * depth_in(arm_patches(side, trial), obstacles).metres;
+      return reached.lean + 3.0 * reached.excess + 25.0 * depth_in(arm_patches(side, trial), obstacles).metres;
     };
     ArmReach::Reached best = reach(side).reach(wrist.rotation, pivot, place, swivel);
     double least = missing(best, swivel);
     for (const double sign : {1.0, -1.0}) {
-      for (int i = 0; i < 4 && least > kEnough; ++i) {
+      for (int i = 0; i < 3 && least > kEnough; ++i) {
         const ArmReach::Reached next = reach(side).reach(wrist.rotation, pivot, place, swivel + sign * kStep);
         const double found = missing(next, swivel + sign * kStep);
         if (found >= least) break;
@@ -300,12 +300,14 @@ PlacedHand Signer::place(const Posture& posture, const Handshape& handshape, Sid
 void Signer::settle(Side side, const Wish& wish, std::span<const Obstacle> obstacles, HandState& state) const {
   const ArmReach& arm = reach_[static_cast<size_t>(side)];
   const Vec3& parent = parent_[static_cast<size_t>(side)];
+  constexpr int kCoarse = 3, kFine = 8;  // rounds
   struct Candidate {
     double swivel = 0.0, cost = 1e9;
     Transform wrist;
   };
-  const auto free_of_depth = [&](double swivel, const Vec3& shift) {
-    const ArmReach::Reached reached = arm.reach(wish.rotation, wish.pivot, wish.target + shift - parent, swivel);
+  const auto free_of_depth = [&](double swivel, const Vec3& shift, int rounds) {
+    const ArmReach::Reached reached =
+        arm.reach(wish.rotation, wish.pivot, wish.target + shift - parent, swivel, rounds);
     Candidate candidate{swivel, 0.0, {reached.wrist.rotation, reached.wrist.position + parent}};
     const double away = swivel - kPreferredSwivel, lean = std::max(0.0, reached.lean - kFreeLean),
                  far = std::max(0.0, reached.lean - kTrueLean);
@@ -328,7 +330,7 @@ void Signer::settle(Side side, const Wish& wish, std::span<const Obstacle> obsta
     std::array<Candidate, kSwivels> grid;
     for (int i = 0; i < kSwivels; ++i)
       grid[static_cast<size_t>(i)] =
-          free_of_depth(kLowestSwivel + (kHighestSwivel - kLowestSwivel) * i / (kSwivels - 1), shift);
+          free_of_depth(kLowestSwivel + (kHighestSwivel - kLowestSwivel) * i / (kSwivels - 1), shift, kCoarse);
     std::stable_sort(grid.begin(), grid.end(), [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
     Candidate best;
     best.cost = enough;
@@ -341,7 +343,7 @@ void Signer::settle(Side side, const Wish& wish, std::span<const Obstacle> obsta
     for (double step = 7.0 * kDegree; step > 1.5 * kDegree; step *= 0.5) {
       for (const double sign : {1.0, -1.0}) {
         const double swivel = std::clamp(best.swivel + sign * step, kLowestSwivel, kHighestSwivel);
-        const Candidate found = with_depth(free_of_depth(swivel, shift), best.cost);
+        const Candidate found = with_depth(free_of_depth(swivel, shift, kFine), best.cost);
         if (found.cost < best.cost) best = found;
       }
     }
