@@ -15,15 +15,19 @@ namespace auslan::stroke {
 // at least 80 ms, at letters 120 ms (reference on motion and the project's quality limits).
 inline constexpr double kSignHold = 0.085;
 inline constexpr double kLetterHold = 0.15;
+inline constexpr double kLeastSignHold = 0.08;  ///< at any speed
+inline constexpr double kLeastLetterHold = 0.12;
 inline constexpr double kShortestTransition = 0.15;
 inline constexpr double kLongestTransition = 0.45;
 inline constexpr double kTurnOfCircle = 0.28;      ///< once round
-inline constexpr double kCycle = 0.15;            ///< of a shake, a twist, a nod
+inline constexpr double kCycle = 0.17;             ///< of a shake, a twist, a nod
 inline constexpr double kFromRest = 0.50;          ///< raising the hands at the start, lowering them at the end
 inline constexpr double kAnticipation = 0.10;      ///< by which the base hand sets out before it has to
 inline constexpr double kFinalLengthening = 0.12;  ///< of the last sign of a phrase, as a share of it
 inline constexpr double kSentencePause = 0.4;      ///< a pause at least this long ends a sentence
 inline constexpr double kQuestionHold = 0.24;
+inline constexpr double kShortestViseme = 0.055;  ///< lips that go through more shapes than that show none of them
+inline constexpr double kMouthingReach = 0.10;    ///< by which the lips move before and after their sign
 inline constexpr double kBrowOnset = 0.18;
 inline constexpr double kBrowRelease = 0.25;
 
