@@ -61,7 +61,8 @@ class Choreographer {
   void add_beats(const SignPerformance& performance, const Unit& unit);
   /// The hand shows its target from `begin` to `end`; one that it has shown until now goes on.
   void show(size_t side, const std::optional<HandTarget>& target, Tick begin, Tick end);
-  void add_mouthing(const Unit& unit, Span span);
+  /// Over the units from the one that has the mouthing.
+  void add_mouthing(size_t first, size_t last);
   void add_own_features(size_t unit);
   void add_spans();
   /// Over units, rising on the way into the first of them and falling on the way out of the last: no feature reaches
@@ -207,13 +208,10 @@ void Choreographer::transition(const SignPerformance& performance, size_t index)
 
 void Choreographer::add_beats(const SignPerformance& performance, const Unit& unit) {
   for (const Beat& beat : performance.beats) {
-    double time = beat.seconds;
-    if (beat.hold && unit.spelled) {
-      // Slower speeds lengthen the letters, faster ones never bring the hold under what can be read.
-      time = std::max(time, stroke::kLetterHold * 0.8 * options_.speed);
-    }
     std::array<HandSegment, 2> segments = beat.hands;
+    // However fast the signing, a hold is long enough to be read.
     double least = 0;
+    if (beat.hold) least = unit.spelled ? stroke::kLeastLetterHold : stroke::kLeastSignHold;
     for (const size_t side : {kLeft, kRight}) {
       if (!performance.active[side] || beat.hold) continue;
       const auto hand = static_cast<Side>(side);
@@ -224,7 +222,7 @@ void Choreographer::add_beats(const SignPerformance& performance, const Unit& un
       least = std::max({least, shortest_seconds(signer_, hand, segments[side]), seconds_of_wrist(segments[side])});
     }
     const Tick begin = now_;
-    const Tick end = begin + paced(time, least);
+    const Tick end = begin + paced(beat.seconds, least);
     for (const size_t side : {kLeft, kRight}) {
       if (!performance.active[side]) continue;
       stay(side, begin);
@@ -301,16 +299,40 @@ void Choreographer::add_own_features(size_t unit) {
   add_features(face, body, unit, unit);
 }
 
-void Choreographer::add_mouthing(const Unit& unit, Span span) {
-  const std::vector<Viseme> visemes = visemes_of(unit.mouthing);
-  if (visemes.empty() || span.end <= span.begin) return;
-  const auto count = static_cast<Tick>(visemes.size());
-  const Tick length = span.end - span.begin;
-  for (Tick i = 0; i < count; ++i) {
-    const Tick begin = span.begin + length * i / count, end = span.begin + length * (i + 1) / count;
-    const Tick overlap = std::max<Tick>(1, std::min<Tick>((end - begin) / 2, ticks(0.08)));
-    score_.face.push_back({std::max<Tick>(0, begin - overlap / 2), end + overlap / 2, overlap, overlap,
-                           weights_of(visemes[static_cast<size_t>(i)])});
+void Choreographer::add_mouthing(size_t first, size_t last) {
+  // The lips begin on the way into the sign and end on the way out of it.
+  const Tick reach = scaled(stroke::kMouthingReach);
+  Tick begin = spans_[first].begin - reach, end = spans_[last].end + reach;
+  if (first > 0) begin = std::max(begin, (spans_[first - 1].end + spans_[first].begin) / 2);
+  if (last + 1 < spans_.size()) end = std::min(end, (spans_[last].end + spans_[last + 1].begin) / 2);
+  begin = std::max<Tick>(0, begin);
+  const auto most = static_cast<size_t>((end - begin) / ticks(stroke::kShortestViseme));
+  const std::vector<Viseme> visemes = reduced(visemes_of(utterance_.units[first].mouthing), most);
+  if (visemes.empty() || end <= begin) return;
+  const std::vector<FaceWeights> faces = coarticulated(visemes);
+  // Silence before and after; between two shapes the lips are always on their way.
+  double total = 1.0;
+  for (const Viseme viseme : visemes)
+    total += timing_of(viseme).length;
+  const auto at = [&](double length) {
+    return begin + static_cast<Tick>(static_cast<double>(end - begin) * (length / total));
+  };
+  std::vector<Span> held;
+  double gone = 0.5;
+  for (const Viseme viseme : visemes) {
+    const auto [length, share] = timing_of(viseme);
+    held.push_back({at(gone + 0.5 * length * (1.0 - share)), at(gone + 0.5 * length * (1.0 + share))});
+    gone += length;
+  }
+  for (size_t i = 0; i < visemes.size(); ++i) {
+    FaceSpan shape;
+    shape.begin = i == 0 ? begin : held[i - 1].end;
+    shape.end = i + 1 == visemes.size() ? end : held[i + 1].begin;
+    shape.onset = held[i].begin - shape.begin;
+    shape.release = shape.end - held[i].end;
+    shape.weights = faces[i];
+    shape.mouthing = true;
+    score_.face.push_back(shape);
   }
 }
 
@@ -380,7 +402,7 @@ Result<Score> Choreographer::run() {
     const Unit& unit = utterance_.units[i];
     if (unit.mouthing.empty()) continue;
     const size_t last = std::min(i + static_cast<size_t>(std::max(1, unit.word_letters)) - 1, spans_.size() - 1);
-    add_mouthing(unit, {spans_[i].begin, spans_[last].end});
+    add_mouthing(i, last);
   }
   add_spans();
   // The hands drop and relax; one that hangs already stays as it is.

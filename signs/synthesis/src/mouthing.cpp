@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "synthesis/mouthing.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
 #include <string>
 
 namespace auslan {
@@ -73,6 +75,63 @@ std::vector<Viseme> visemes_of(std::string_view english) {
     i += match->letters.size();
   }
   return visemes;
+}
+
+namespace {
+
+bool is_vowel(Viseme viseme) {
+  return viseme == kAa || viseme == kE || viseme == kIh || viseme == kOh || viseme == kOu;
+}
+
+/// Made by the lips themselves: nothing else is seen on them then.
+bool is_labial(Viseme viseme) {
+  return viseme == kPp || viseme == kFf;
+}
+
+}  // namespace
+
+std::vector<Viseme> reduced(std::vector<Viseme> visemes, size_t most) {
+  // Behind the lips first, then what the teeth show, then vowels; what the lips close for goes last.
+  constexpr std::array<Viseme, 14> kFirstToGo = {kKk, kNn, kDd, kRr, kTh, kSs, kIh, kE, kCh, kAa, kOh, kOu, kFf, kPp};
+  most = std::max<size_t>(1, most);
+  for (const Viseme hidden : kFirstToGo) {
+    while (visemes.size() > most) {
+      const auto found = std::find(visemes.rbegin(), visemes.rend(), hidden);
+      if (found == visemes.rend()) break;
+      visemes.erase(std::next(found).base());
+    }
+  }
+  visemes.erase(std::unique(visemes.begin(), visemes.end()), visemes.end());
+  return visemes;
+}
+
+std::vector<FaceWeights> coarticulated(std::span<const Viseme> visemes) {
+  using enum FaceChannel;
+  constexpr std::array<FaceChannel, 6> kLips = {kMouthPucker,       kMouthFunnel,    kMouthStretchLeft,
+                                                kMouthStretchRight, kMouthSmileLeft, kMouthSmileRight};
+  constexpr float kNext = 0.45F, kLast = 0.25F;
+  std::vector<FaceWeights> faces;
+  for (size_t i = 0; i < visemes.size(); ++i) {
+    FaceWeights face = weights_of(visemes[i]);
+    if (!is_vowel(visemes[i]) && !is_labial(visemes[i])) {
+      const auto take = [&](size_t neighbour, float share) {
+        const FaceWeights other = weights_of(visemes[neighbour]);
+        for (const FaceChannel channel : kLips) {
+          const auto c = static_cast<size_t>(channel);
+          face[c] = std::max(face[c], share * other[c]);
+        }
+      };
+      if (i + 1 < visemes.size() && is_vowel(visemes[i + 1])) take(i + 1, kNext);
+      if (i > 0 && is_vowel(visemes[i - 1])) take(i - 1, kLast);
+    }
+    faces.push_back(face);
+  }
+  return faces;
+}
+
+VisemeTiming timing_of(Viseme viseme) {
+  if (is_vowel(viseme)) return {1.5, 0.25};
+  return is_labial(viseme) ? VisemeTiming{1.1, 0.4} : VisemeTiming{0.9, 0.15};
 }
 
 FaceWeights weights_of(Viseme viseme) {

@@ -7,6 +7,7 @@
 #include "kinematics/rotation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -14,8 +15,14 @@ namespace auslan {
 namespace {
 
 constexpr double kBlinkSeconds = 0.16;
+constexpr double kRamp = 0.3;  // of a circle, in turns: in which its speed rises
 constexpr double kBreathHz = 0.24;
 constexpr double kBreath = 0.35 * kDegree;
+// A body that stands at ease is never quite still: slow turns whose times do not fit together, so that they never
+// repeat within a sentence.
+constexpr double kSwayTrunk = 0.35 * kDegree, kSwayHead = 0.6 * kDegree;
+
+constexpr std::array<double, 3> kSwayHz = {0.11, 0.071, 0.173};
 
 /// Rises over the onset, holds, falls over the release; the ramps are minimum-jerk curves.
 double envelope(Tick time, Tick begin, Tick end, Tick onset, Tick release) {
@@ -43,6 +50,17 @@ HandAngles mix(const HandAngles& a, const HandAngles& b, double t) {
   m.thumb.mp = mix(a.thumb.mp, b.thumb.mp, t);
   m.thumb.ip = mix(a.thumb.ip, b.thumb.ip, t);
   return m;
+}
+
+/// Progress at one speed that rises from rest in the first `ramp` of the time and falls to it in the last; the ramps
+/// are minimum-jerk curves. Round after round of a circle is the same but for them. ramp in (0, 0.5].
+double steady(double tau, double ramp) {
+  const double early = tau <= 0.5 ? tau : 1.0 - tau;
+  const double x = std::min(1.0, early / ramp);
+  // The integral of 10x^3 - 15x^4 + 6x^5 is a half at 1.
+  const double gone = ramp * (x * x * x * x * (2.5 + x * (x - 3.0))) + std::max(0.0, early - ramp);
+  const double share = gone / (1.0 - ramp);
+  return tau <= 0.5 ? share : 1.0 - share;
 }
 
 /// From a through the middle (s = 1/2) to b: a parabola in the rotation vector from the middle, which is slerp where
@@ -126,7 +144,7 @@ HandState state_after(const HandSegment& segment, double tau) {
       a.wrist.position + (b.wrist.position - a.wrist.position) * s + segment.bulge * (4.0 * s * (1.0 - s));
   if (segment.turns > 0) {
     double sn = 0, cs = 1;
-    sine_cosine(2.0 * kPi * segment.turns * s, sn, cs);
+    sine_cosine(2.0 * kPi * segment.turns * steady(tau, std::min(0.5, kRamp / segment.turns)), sn, cs);
     state.wrist.position += segment.circle_u * (cs - 1.0) + segment.circle_v * sn;
   }
   state.wrist.rotation = segment.turn_middle ? through(a.wrist.rotation, *segment.turn_middle, b.wrist.rotation, s)
@@ -147,6 +165,10 @@ Performance::Performance(const Signer& signer, Score score, const PerformanceOpt
     blinks_.push_back(next);
     random = random * 6364136223846793005ULL + 1442695040888963407ULL;
     next += ticks(2.5) + static_cast<Tick>((random >> 33U) % static_cast<uint64_t>(ticks(2.5)));
+  }
+  for (double& phase : sway_phase_) {
+    random = random * 6364136223846793005ULL + 1442695040888963407ULL;
+    phase = static_cast<double>(random >> 33U) / 2147483648.0;
   }
 }
 
@@ -178,18 +200,28 @@ void Performance::sample_hand(Side side, Tick time, const Transform& trunk, cons
 
 void Performance::sample_face(Tick time, FaceWeights& face) const {
   face = {};
+  FaceWeights lips{};
+  // Features of one channel meet without a kink: what one leaves, the next takes its share of.
+  const auto join = [](float a, float b) { return a + b - a * b; };
   for (const FaceSpan& span : score_.face) {
     if (time <= span.begin || time >= span.end) continue;
     const auto strength = static_cast<float>(envelope(time, span.begin, span.end, span.onset, span.release));
-    for (size_t i = 0; i < face.size(); ++i)
-      face[i] = std::min(1.0F, face[i] + strength * span.weights[i]);
+    for (size_t i = 0; i < face.size(); ++i) {
+      if (span.mouthing) {
+        lips[i] += strength * span.weights[i];
+      } else {
+        face[i] = join(face[i], strength * span.weights[i]);
+      }
+    }
   }
+  for (size_t i = 0; i < face.size(); ++i)
+    face[i] = join(face[i], std::min(1.0F, lips[i]));
   for (const Tick blink : blinks_) {
     const Tick half = ticks(kBlinkSeconds) / 2;
     const auto closed = static_cast<float>(envelope(time, blink, blink + 2 * half, half, half));
     for (const FaceChannel lid : {FaceChannel::kEyeBlinkLeft, FaceChannel::kEyeBlinkRight}) {
       float& weight = face[static_cast<size_t>(lid)];
-      weight = std::max(weight, closed);
+      weight = join(weight, closed);
     }
   }
 }
@@ -207,7 +239,15 @@ void Performance::sample(Tick time, Pose& pose) const {
     if (span.swing_hz > 0)
       head_turn += span.swing * (strength * sine(2.0 * kPi * span.swing_hz * seconds(time - span.begin - span.onset)));
   }
-  if (options_.idle) trunk_turn.x -= kBreath * sine(2.0 * kPi * kBreathHz * seconds(time));
+  if (options_.idle) {
+    trunk_turn.x -= kBreath * sine(2.0 * kPi * kBreathHz * seconds(time));
+    const auto sway = [&](size_t i) { return sine(2.0 * kPi * (kSwayHz[i] * seconds(time) + sway_phase_[i])); };
+    trunk_turn.z += kSwayTrunk * sway(0);
+    trunk_turn.y += kSwayTrunk * sway(1);
+    // The head stays on the addressee: it gives back what the trunk turns, and has a life of its own.
+    head_turn.z -= 0.5 * kSwayTrunk * sway(0);
+    head_turn.y += kSwayHead * sway(2) - kSwayTrunk * sway(1);
+  }
   const int spine = skeleton.find("spine_base"), neck = skeleton.find("neck_base"), head = skeleton.find("head_base");
   const Quat trunk = from_rotation_vector(trunk_turn);
   const Quat half_turn = from_rotation_vector(head_turn * 0.5);

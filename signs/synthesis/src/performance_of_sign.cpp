@@ -319,7 +319,7 @@ void SignBuilder::add_path(const Step& step) {
   segment.to = dominant_[to].state;
   const Vec3 way = segment.to.wrist.position - segment.from.wrist.position;
   const double distance = std::sqrt(glm::dot(way, way));
-  double time = std::max(0.18, stroke::travel_seconds(segment.from, segment.to) + 0.03);
+  double time = std::max(0.16, stroke::travel_seconds(segment.from, segment.to) + 0.02);
   if (has_base_) time = std::max(time, stroke::travel_seconds(base_[from].state, base_[to].state));
   int repeats = 1;
   const Movement* lead = step.movements.front();

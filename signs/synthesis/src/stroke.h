@@ -15,15 +15,19 @@ namespace auslan::stroke {
 // at least 80 ms, at letters 120 ms (reference on motion and the project's quality limits).
 inline constexpr double kSignHold = 0.085;
 inline constexpr double kLetterHold = 0.15;
+inline constexpr double kLeastSignHold = 0.08;  ///< at any speed
+inline constexpr double kLeastLetterHold = 0.12;
 inline constexpr double kShortestTransition = 0.15;
 inline constexpr double kLongestTransition = 0.45;
-inline constexpr double kTurnOfCircle = 0.32;      ///< once round
-inline constexpr double kCycle = 0.165;            ///< of a shake, a twist, a nod
+inline constexpr double kTurnOfCircle = 0.28;      ///< once round
+inline constexpr double kCycle = 0.17;             ///< of a shake, a twist, a nod
 inline constexpr double kFromRest = 0.50;          ///< raising the hands at the start, lowering them at the end
 inline constexpr double kAnticipation = 0.10;      ///< by which the base hand sets out before it has to
 inline constexpr double kFinalLengthening = 0.12;  ///< of the last sign of a phrase, as a share of it
 inline constexpr double kSentencePause = 0.4;      ///< a pause at least this long ends a sentence
-inline constexpr double kQuestionHold = 0.30;
+inline constexpr double kQuestionHold = 0.24;
+inline constexpr double kShortestViseme = 0.055;  ///< lips that go through more shapes than that show none of them
+inline constexpr double kMouthingReach = 0.10;    ///< by which the lips move before and after their sign
 inline constexpr double kBrowOnset = 0.18;
 inline constexpr double kBrowRelease = 0.25;
 
@@ -80,13 +84,13 @@ inline double largest_digit_change(const HandAngles& a, const HandAngles& b) {
 }
 
 /// Seconds for a hand to get from one state to another at an unhurried pace: distance, turning and the fingers each ask
-/// for their time. The peak of a minimum-jerk stroke is 1.875 times its mean, so 0.6 m in 0.45 s peaks at 2.5 m/s.
+/// for their time. The peak of a minimum-jerk stroke is 1.875 times its mean, so 0.6 m in 0.3 s peaks at 3.7 m/s.
 inline double travel_seconds(const HandState& a, const HandState& b) {
   const Vec3 way = b.wrist.position - a.wrist.position;
   const double distance = std::sqrt(glm::dot(way, way));
   const double turning = angle_between(a.wrist.rotation, b.wrist.rotation);
   const double fingers = largest_digit_change(a.angles, b.angles);
-  return std::max({0.09 + 0.42 * distance, 0.08 + 0.09 * turning, 0.08 + 0.05 * fingers});
+  return std::max({0.08 + 0.37 * distance, 0.07 + 0.08 * turning, 0.07 + 0.045 * fingers});
 }
 
 }  // namespace auslan::stroke

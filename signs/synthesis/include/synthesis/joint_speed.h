@@ -22,6 +22,8 @@ inline constexpr double kShoulder = 900 * kDegree;
 inline constexpr double kElbow = 1200 * kDegree;  ///< bend and the forearm's turn together
 inline constexpr double kWrist = 1200 * kDegree;
 inline constexpr double kDigit = 1200 * kDegree;
+/// Metres a second at which a wrist passes through the air; 4 is the limit of the project's quality.
+inline constexpr double kWristInSpace = 3.7;
 }  // namespace joint_speed
 
 /// Of a node by its name; of nodes that are not of the 39 that of a digit.

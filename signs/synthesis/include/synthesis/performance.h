@@ -6,6 +6,7 @@
 #include "synthesis/score.h"
 #include "synthesis/signer.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -13,8 +14,8 @@ namespace auslan {
 
 struct PerformanceOptions {
   bool left_handed = false;  ///< the exact mirror image of the right-handed signer
-  bool idle = true;          ///< breathing and blinks
-  uint64_t seed = 1;         ///< of the blinks
+  bool idle = true;          ///< breathing, swaying and blinks
+  uint64_t seed = 1;         ///< of the blinks and of how the body sways
 };
 
 class Performance {
@@ -36,7 +37,8 @@ class Performance {
   Score score_;
   PerformanceOptions options_;
   std::vector<Tick> blinks_;
-  std::vector<int> mirror_;  ///< for each node the node on the other side
+  std::array<double, 3> sway_phase_{};  ///< in cycles
+  std::vector<int> mirror_;             ///< for each node the node on the other side
 };
 
 /// The state of a hand within a segment, trunk and head at rest.

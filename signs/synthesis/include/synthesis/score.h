@@ -65,6 +65,8 @@ struct FaceSpan {
   Tick begin = 0, end = 0;  ///< full strength is held between begin + onset and end - release
   Tick onset = 0, release = 0;
   FaceWeights weights{};
+  bool mouthing =
+      false;  ///< one of the shapes that the lips go through: they add up, one falling as the next one rises
 };
 
 /// A turn of head and trunk that rises, holds and falls, with an optional oscillation about it.
