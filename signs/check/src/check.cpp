@@ -149,6 +149,7 @@ bool Judge::hides(const Vec3& eye, const Vec3& point) const {
   constexpr double kReach = 0.6;
   const Vec3 towards = unit(eye - point);
   for (const BodyGroup hand : {BodyGroup::kLeftHand, BodyGroup::kRightHand}) {
+    if (!solids_.may_cross(hand, point, point + towards * kReach, world_)) continue;
     double along = 0.01;
     while (along < kReach) {
       const auto distance = solids_.distance(hand, point + towards * along, kReach, world_);
@@ -171,6 +172,10 @@ void Judge::over_time() {
   int hidden = 0;
   Tick hidden_at = 0;
   std::array<Vec3, 2> before{};
+  const auto pairs = BodySolids::pairs();
+  std::vector<bool> touching;
+  for (const auto& [a, b] : pairs)
+    touching.push_back(may_touch(a, b));
   for (Tick time = 0; time <= score_.end; time += kStep) {
     pose_at(time);
     for (int node = 0; node < skeleton_.size(); ++node)
@@ -182,9 +187,14 @@ void Judge::over_time() {
       before[side] = wrist;
     }
     note(Measure::kPenetration, 0.0, 0, "");
-    for (const Overlap& overlap : solids_.overlaps(world_))
-      note(may_touch(overlap.a, overlap.b) ? Measure::kPressing : Measure::kPenetration, overlap.depth * 1e3, time,
-           name(overlap.node_a) + " in " + name(overlap.node_b));
+    for (size_t i = 0; i < pairs.size(); ++i) {
+      // Only what is worse than all before it is looked for.
+      const Measure measure = touching[i] ? Measure::kPressing : Measure::kPenetration;
+      const auto& worst = verdict_.of(measure);
+      const double floor = worst ? worst->value * 1e-3 * (1.0 - 1e-12) : 0.0;
+      if (const auto found = solids_.overlap(pairs[i].first, pairs[i].second, floor, world_))
+        note(measure, found->depth * 1e3, time, name(found->node_a) + " in " + name(found->node_b));
+    }
     if (!face_is_free) continue;
     const Transform& placed = world_[static_cast<size_t>(head)];
     const Vec3 eye = placed.position + Vec3(0.0, 0.0, 3.0);
