@@ -30,6 +30,10 @@ foreach(_name ${_names})
   set_tests_properties(frames.${_name} frames_older_processor.${_name} PROPERTIES LABELS determinism TIMEOUT 1200)
 endforeach()
 
+# All entries and phrases against the limits of quality and the list of what is known to break them.
+add_test(NAME check.lexicon COMMAND auslanjam check --threads 2 --quiet)
+set_tests_properties(check.lexicon PROPERTIES LABELS conformance TIMEOUT 1200)
+
 # Every command of the README, in its order.
 add_test(NAME readme.commands COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/unit/readme_commands.sh $<TARGET_FILE:auslanjam>
   ${PROJECT_SOURCE_DIR}/README.md)

@@ -3,6 +3,7 @@
 auslan_test(synthesis_mouthing LABEL unit LIBRARIES auslan::synthesis)
 auslan_test(synthesis_non_manual LABEL unit LIBRARIES auslan::synthesis auslan::lexicon_text)
 auslan_test(synthesis_utterance LABEL unit LIBRARIES auslan::synthesis)
+auslan_test(check_exceptions LABEL unit LIBRARIES auslan::check)
 if(AUSLANJAM_PROGRAMS)
   auslan_test(synthesis_motion LABEL unit LIBRARIES auslan::synthesis auslan::lexicon)
   add_dependencies(synthesis_motion_test auslan_baked_figure auslan_built_lexicon)

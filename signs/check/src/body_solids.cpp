@@ -225,16 +225,26 @@ bool BodySolids::may_cross(BodyGroup group, const Vec3& from, const Vec3& to,
   return false;
 }
 
-std::optional<double> BodySolids::distance(BodyGroup group, const Vec3& point, double within,
-                                           std::span<const Transform> world_from_node) const {
-  std::optional<double> least;
+std::optional<NearestSkin> BodySolids::nearest(BodyGroup group, const Vec3& point, double within,
+                                               std::span<const Transform> world_from_node) const {
+  std::optional<NearestSkin> least;
   for (const int node : nodes_of(group)) {
     const Transform& place = world_from_node[static_cast<size_t>(node)];
     const Vec3 local = glm::conjugate(place.rotation) * (point - place.position);
     const auto nearest = parts_[static_cast<size_t>(node)]->solid.nearest(local, within);
-    if (nearest && (!least || nearest->distance < *least)) least = nearest->distance;
+    if (nearest && (!least || nearest->distance < least->surface.distance)) least = NearestSkin{node, *nearest};
   }
+  if (!least) return std::nullopt;
+  const Transform& place = world_from_node[static_cast<size_t>(least->node)];
+  least->surface.position = apply(place, least->surface.position);
+  least->surface.normal = place.rotation * least->surface.normal;
   return least;
+}
+
+std::optional<double> BodySolids::distance(BodyGroup group, const Vec3& point, double within,
+                                           std::span<const Transform> world_from_node) const {
+  const auto found = nearest(group, point, within, world_from_node);
+  return found ? std::optional(found->surface.distance) : std::nullopt;
 }
 
 }  // namespace auslan

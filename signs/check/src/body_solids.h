@@ -35,6 +35,12 @@ struct Overlap {
   double depth = 0.0;  ///< metres
 };
 
+/// The place of a group's surface that is nearest to a point, in the world.
+struct NearestSkin {
+  int node = kNoNode;
+  NearestSurface surface;
+};
+
 class BodySolids {
  public:
   explicit BodySolids(const Figure& figure);
@@ -49,8 +55,10 @@ class BodySolids {
   /// The deepest overlap of each of pairs() that overlaps.
   std::vector<Overlap> overlaps(std::span<const Transform> world_from_node) const;
 
-  /// How far a point in the world lies from the surface of a group, metres, negative inside; nothing when farther than
-  /// `within`.
+  /// Nothing when the surface is farther than `within` metres. Inside several parts: where it is deepest.
+  std::optional<NearestSkin> nearest(BodyGroup group, const Vec3& point, double within,
+                                     std::span<const Transform> world_from_node) const;
+  /// How far that is, metres, negative inside.
   std::optional<double> distance(BodyGroup group, const Vec3& point, double within,
                                  std::span<const Transform> world_from_node) const;
 

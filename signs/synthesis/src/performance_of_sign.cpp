@@ -275,6 +275,7 @@ std::optional<HandTarget> SignBuilder::shown(const HandState& state, const std::
     target.palm = to_vector(posture.palm);
     target.angles = placed[i].state.angles;
     target.touches = placed[i].touching;
+    target.stand_off = placed[i].stand_off;
     target.part = placed[i].part;
     target.location = placed[i].location;
     return target;
