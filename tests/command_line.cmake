@@ -46,3 +46,10 @@ add_dependencies(programs_bench_test auslanjam auslan_baked_figure auslan_built_
 auslan_test(programs_avatar LABEL unit LIBRARIES auslan::gltf nlohmann_json::nlohmann_json
   DEFINITIONS AUSLANJAM_PROGRAM="$<TARGET_FILE:auslanjam>")
 add_dependencies(programs_avatar_test auslanjam)
+auslan_test(programs_check LABEL unit LIBRARIES auslan::kinematics nlohmann_json::nlohmann_json
+  DEFINITIONS AUSLANJAM_PROGRAM="$<TARGET_FILE:auslanjam>")
+auslan_test(check_avatars LABEL conformance LIBRARIES auslan::kinematics nlohmann_json::nlohmann_json
+  DEFINITIONS AUSLANJAM_PROGRAM="$<TARGET_FILE:auslanjam>")
+foreach(_of_check programs_check check_avatars)
+  add_dependencies(${_of_check}_test auslanjam auslan_baked_figure auslan_built_lexicon auslan_copied_exceptions)
+endforeach()

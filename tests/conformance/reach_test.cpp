@@ -8,6 +8,7 @@
 #include "kinematics/elementary.h"
 #include "kinematics/limits.h"
 #include "kinematics/rotation.h"
+#include "kinematics/solid.h"
 #include "phonology/vocabulary.h"
 #include "shipped.h"
 
@@ -30,6 +31,7 @@ constexpr double kTouch = 0.003;    // metres
 constexpr double kFarthest = 0.5;   // metres; skin farther away is not looked for
 // What the solver of the hand's place is known to miss though an arm could do it: may become fewer, never more.
 constexpr int kMissedOrientations = 18;  // of each hand, of 208
+constexpr int kOpenPinches = 22;         // of 33 pairs of a thumb and a finger
 constexpr int kMissedPlaces = 97;        // of 975 pairs
 constexpr std::array<const char*, 8> kPalmLetters = {"u", "ur", "r", "dr", "d", "dl", "l", "ul"};
 
@@ -272,6 +274,76 @@ TEST(Reach, EveryPlaceIsTouchedByEveryPartOfTheHand) {
       "%d touched, %d of them strained, %d missed, %d of them out of reach\n",
       kTouch * 1e3, table.c_str(), total.touched, total.strained, total.missed, total.out_of_reach);
   EXPECT_LE(total.missed - total.out_of_reach, kMissedPlaces);
+}
+
+/// What the description of a handshape says the thumb meets: digits 1 (index) to 4 (little).
+struct Pinch {
+  const char* handshape;
+  std::vector<size_t> fingers;
+};
+const std::vector<Pinch>& pinches() {
+  static const std::vector<Pinch> all = {{"round", {1, 2, 3, 4}},
+                                         {"okay", {1}},
+                                         {"perth", {2}},
+                                         {"soon", {1}},
+                                         {"ten", {2}},
+                                         {"write", {1}},
+                                         {"salt", {1, 2}},
+                                         {"animal", {2, 3}},
+                                         {"queer", {3}},
+                                         {"round_flat", {1, 2, 3, 4}},
+                                         {"okay_flat", {1}},
+                                         {"okay_f", {1}},
+                                         {"point_d", {2, 3, 4}},
+                                         {"soon_flick", {1}},
+                                         {"soon_closed", {1}},
+                                         {"ten_tip", {2}},
+                                         {"ten_flat", {2}},
+                                         {"write_flat", {1}},
+                                         {"write_flick", {1}},
+                                         {"salt_closed", {1, 2}},
+                                         {"salt_flick", {1, 2}}};
+  return all;
+}
+
+TEST(Reach, WhatPinchesClosesWithoutPressingDeep) {
+  const Figure& figure = shipped().figure;
+  const ArmNodes nodes = arm_nodes(figure.skeleton, Side::kRight);
+  std::vector<Transform> world(static_cast<size_t>(figure.skeleton.size()));
+  const auto thumb = static_cast<size_t>(nodes.digits[0][2]);
+  // The least distance of the skin of the thumb's last segment and a finger's, negative where they are in each other.
+  const auto gap = [&](size_t finger) {
+    const auto tip = static_cast<size_t>(nodes.digits[finger][2]);
+    double least = kFarthest;
+    for (const auto& [points, solid] : {std::pair{thumb, tip}, std::pair{tip, thumb}}) {
+      const Solid surface(figure.segments[solid]);
+      for (const glm::vec3& position : figure.segments[points].positions) {
+        const Vec3 p =
+            glm::conjugate(world[solid].rotation) * (apply(world[points], Vec3(position)) - world[solid].position);
+        if (const auto nearest = surface.nearest(p, kFarthest)) least = std::min(least, nearest->distance);
+      }
+    }
+    return least;
+  };
+  constexpr double kClosed = 0.002;
+  int wrong = 0;
+  std::printf("Gap of the thumb's last segment to those of the fingers that it is to meet, mm (negative: inside)\n");
+  for (const Pinch& pinch : pinches()) {
+    const Handshape handshape = shipped().lexicon->handshape(pinch.handshape).value().value();
+    Pose pose = rest_pose(figure.skeleton);
+    pose_hand(figure.skeleton, Side::kRight, hand_angles(handshape), pose);
+    forward(figure.skeleton, pose, world);
+    std::printf("  %-12s", pinch.handshape);
+    for (const size_t finger : pinch.fingers) {
+      const double found = gap(finger);
+      if (std::abs(found) > kClosed) ++wrong;
+      std::printf(" %s %5.1f%s", std::array{"thumb", "index", "middle", "ring", "little"}[finger], found * 1e3,
+                  std::abs(found) > kClosed ? "!" : "");
+    }
+    std::printf("\n");
+  }
+  std::printf("%d of them open, or pressed in, by more than %.0f mm\n", wrong, kClosed * 1e3);
+  EXPECT_LE(wrong, kOpenPinches);
 }
 
 }  // namespace

@@ -170,7 +170,7 @@ Result<void> run_check(const Options& options) {
   report.exceptions = exceptions->size();
   report.findings = compare(report.all, *exceptions, options.words.empty());
   report.figure = options.avatar;
-  report.lacks = session.figure_warnings();
+  report.lacks = session.figure_lacks();
   report.each = !options.words.empty();
   for (size_t i = 0; i < report.all.size() && !options.output.empty(); ++i) {
     if (stop_requested()) return stopped();

@@ -115,6 +115,17 @@ Result<const Figure*> Session::figure() {
   return figure_.get();
 }
 
+std::vector<std::string> Session::figure_lacks() const {
+  if (!avatar_) return {};
+  std::vector<std::string> lacks = avatar_->warnings;
+  std::string channels;
+  for (size_t i = 0; i < kFaceChannelNames.size(); ++i)
+    if (avatar_->avatar.face[i].means == FaceDrive::Means::kNone)
+      channels += (channels.empty() ? "" : ", ") + std::string(kFaceChannelNames[i]);
+  if (!channels.empty()) lacks.push_back("of its face these cannot be moved: " + channels);
+  return lacks;
+}
+
 Result<Body> Session::body() {
   const auto figure = this->figure();
   if (!figure) return tl::unexpected(figure.error());

@@ -50,7 +50,7 @@ class Session {
   /// English, translated.
   Result<Utterance> utterance_of_text(const std::string& english);
   /// What a foreign figure lacks for signing or does otherwise; after figure().
-  std::vector<std::string> figure_warnings() const { return avatar_ ? avatar_->warnings : std::vector<std::string>(); }
+  std::vector<std::string> figure_lacks() const;
 
  private:
   /// What is to be performed, and what has to be said about it.
