@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <ostream>
 #include <string>
-#include <tuple>
 
 namespace auslan {
 namespace {
@@ -28,7 +28,14 @@ std::string subjects() {
   return all;
 }
 
-class CheckAvatars : public testing::TestWithParam<std::tuple<const char*, const char*>> {};
+struct Sample {
+  const char* name;
+  const char* lack;  ///< something that it is told to lack
+
+  friend std::ostream& operator<<(std::ostream& out, const Sample& sample) { return out << sample.name; }
+};
+
+class CheckAvatars : public testing::TestWithParam<Sample> {};
 
 TEST_P(CheckAvatars, EveryMeasureIsTakenOfLettersAndSigns) {
   const auto& [name, lack] = GetParam();
@@ -56,9 +63,9 @@ TEST_P(CheckAvatars, EveryMeasureIsTakenOfLettersAndSigns) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Samples, CheckAvatars,
-                         testing::Values(std::tuple{"makehuman.glb", "mouthPressLeft"},
-                                         std::tuple{"makehuman.vrm", "mouthPressLeft"},
-                                         std::tuple{"godette.vrm", "ring finger is missing"}));
+                         testing::Values(Sample{"makehuman.glb", "mouthPressLeft"},
+                                         Sample{"makehuman.vrm", "mouthPressLeft"},
+                                         Sample{"godette.vrm", "ring finger is missing"}));
 
 }  // namespace
 }  // namespace auslan

@@ -186,13 +186,22 @@ double BodySolids::depth(const Part& points, const Transform& world_from_points,
 }
 
 std::optional<Overlap> BodySolids::overlap(BodyGroup group_a, BodyGroup group_b, double floor,
-                                           std::span<const Transform> world_from_node) const {
+                                           std::span<const Transform> world_from_node,
+                                           std::span<const Transform> before) const {
+  const auto stays = [&](int node) {
+    if (before.empty()) return false;
+    const Transform& now = world_from_node[static_cast<size_t>(node)];
+    const Transform& was = before[static_cast<size_t>(node)];
+    return now.position == was.position && now.rotation == was.rotation;
+  };
   Overlap worst{group_a, group_b, kNoNode, kNoNode, floor};
   for (const int a : nodes_of(group_a)) {
     const Part& part_a = *parts_[static_cast<size_t>(a)];
     const Transform& place_a = world_from_node[static_cast<size_t>(a)];
     const Vec3 centre_a = apply(place_a, part_a.balls.front().centre);
+    const bool a_stays = stays(a);
     for (const int b : nodes_of(group_b)) {
+      if (a_stays && stays(b)) continue;
       const Part& part_b = *parts_[static_cast<size_t>(b)];
       const Transform& place_b = world_from_node[static_cast<size_t>(b)];
       const Vec3 apart = centre_a - apply(place_b, part_b.balls.front().centre);

@@ -48,9 +48,10 @@ class BodySolids {
   /// Groups that are not joined to each other, so that they can be apart.
   static std::span<const std::pair<BodyGroup, BodyGroup>> pairs();
 
-  /// The deepest vertex of one group in the other, when it lies deeper than `floor` metres (at least 0).
-  std::optional<Overlap> overlap(BodyGroup a, BodyGroup b, double floor,
-                                 std::span<const Transform> world_from_node) const;
+  /// The deepest vertex of one group in the other, when it lies deeper than `floor` metres (at least 0). Two parts that
+  /// both are where they were `before` are passed over; empty: none are.
+  std::optional<Overlap> overlap(BodyGroup a, BodyGroup b, double floor, std::span<const Transform> world_from_node,
+                                 std::span<const Transform> before = {}) const;
 
   /// The deepest overlap of each of pairs() that overlaps.
   std::vector<Overlap> overlaps(std::span<const Transform> world_from_node) const;

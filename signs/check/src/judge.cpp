@@ -152,6 +152,7 @@ void Judge::over_time() {
   Tick hidden_at = 0;
   std::array<Vec3, 2> before{};
   std::vector<Quat> turned;
+  std::vector<Transform> were;
   const auto pairs = BodySolids::pairs();
   std::vector<bool> touching;
   for (const auto& [a, b] : pairs)
@@ -160,6 +161,7 @@ void Judge::over_time() {
     pose_at(time);
     for (int node = 0; node < skeleton_.size(); ++node) {
       const Quat& rotation = pose_.rotation[static_cast<size_t>(node)];
+      if (time > 0 && rotation == turned[static_cast<size_t>(node)]) continue;
       const double beyond = limit_violation(skeleton_, node, rotation) / kDegree;
       if (note(Measure::kJointLimits, beyond, time, name(node)) && beyond > 0.0)
         explain(Measure::kJointLimits, limit_detail(node));
@@ -180,9 +182,10 @@ void Judge::over_time() {
       const Measure measure = touching[i] ? Measure::kPressing : Measure::kPenetration;
       const auto& worst = verdict_.of(measure);
       const double floor = worst ? worst->value * 1e-3 * (1.0 - 1e-12) : 0.0;
-      if (const auto found = solids_.overlap(pairs[i].first, pairs[i].second, floor, world_))
+      if (const auto found = solids_.overlap(pairs[i].first, pairs[i].second, floor, world_, were))
         note(measure, found->depth * 1e3, time, name(found->node_a) + " in " + name(found->node_b));
     }
+    were = world_;
     if (!face_is_free) continue;
     const Transform& placed = world_[static_cast<size_t>(head)];
     const Vec3 eye = placed.position + Vec3(0.0, 0.0, 3.0);
