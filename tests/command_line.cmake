@@ -30,6 +30,10 @@ foreach(_name ${_names})
   set_tests_properties(frames.${_name} frames_older_processor.${_name} PROPERTIES LABELS determinism TIMEOUT 1200)
 endforeach()
 
+# All entries and phrases against the limits of quality and the list of what is known to break them.
+add_test(NAME check.lexicon COMMAND auslanjam check --threads 2 --quiet)
+set_tests_properties(check.lexicon PROPERTIES LABELS conformance TIMEOUT 1200)
+
 # Every command of the README, in its order.
 add_test(NAME readme.commands COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/unit/readme_commands.sh $<TARGET_FILE:auslanjam>
   ${PROJECT_SOURCE_DIR}/README.md)
@@ -42,3 +46,10 @@ add_dependencies(programs_bench_test auslanjam auslan_baked_figure auslan_built_
 auslan_test(programs_avatar LABEL unit LIBRARIES auslan::gltf nlohmann_json::nlohmann_json
   DEFINITIONS AUSLANJAM_PROGRAM="$<TARGET_FILE:auslanjam>")
 add_dependencies(programs_avatar_test auslanjam)
+auslan_test(programs_check LABEL unit LIBRARIES auslan::kinematics nlohmann_json::nlohmann_json
+  DEFINITIONS AUSLANJAM_PROGRAM="$<TARGET_FILE:auslanjam>")
+auslan_test(check_avatars LABEL conformance LIBRARIES auslan::kinematics nlohmann_json::nlohmann_json
+  DEFINITIONS AUSLANJAM_PROGRAM="$<TARGET_FILE:auslanjam>")
+foreach(_of_check programs_check check_avatars)
+  add_dependencies(${_of_check}_test auslanjam auslan_baked_figure auslan_built_lexicon auslan_copied_exceptions)
+endforeach()

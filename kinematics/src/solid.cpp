@@ -122,6 +122,16 @@ double squared_distance(const Vec3& low, const Vec3& high, const Vec3& point) {
   return sum;
 }
 
+/// Of a triangle seen from the origin, steradians, positive from behind (van Oosterom & Strackee 1983).
+double solid_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const double la = std::sqrt(square(a));
+  const double lb = std::sqrt(square(b));
+  const double lc = std::sqrt(square(c));
+  const double above = glm::dot(a, glm::cross(b, c));
+  const double below = la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb;
+  return 2.0 * arc_tangent(above, below);
+}
+
 double corner_angle(const Vec3& from, const Vec3& a, const Vec3& b) {
   return arc_cosine(glm::dot(unit(a - from, Vec3(0.0)), unit(b - from, Vec3(0.0))));
 }
@@ -319,6 +329,17 @@ std::optional<NearestSurface> Solid::nearest(const Vec3& point, double within) c
     }
   }
   return inside ? inside : outside;
+}
+
+bool Solid::contains(const Vec3& point) const {
+  return std::ranges::any_of(parts_, [&point](const Part& part) {
+    const Box& all = part.boxes.front();
+    if (squared_distance(all.low, all.high, point) > 0.0) return false;
+    double angle = 0.0;
+    for (const Triangle& triangle : part.triangles)
+      angle += solid_angle(triangle.corner[0] - point, triangle.corner[1] - point, triangle.corner[2] - point);
+    return angle > 2.0 * kPi;
+  });
 }
 
 }  // namespace auslan

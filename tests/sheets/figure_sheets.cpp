@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// figure_sheets FOLDER [AVATAR...] writes what a person should look at after a change of the figure: FOLDER/figure.png,
-// and the same sentence signed by the figure and by each avatar: FOLDER/avatars.png.
+// figure_sheets FOLDER [AVATAR...] writes what a person should look at after a change of the figure or of the signing:
+// FOLDER/figure.png, every handshape from the viewer's side and from behind (FOLDER/handshapes.png), every letter of
+// the alphabet (FOLDER/letters.png), and the same sentence signed by the figure and by each avatar: FOLDER/avatars.png.
 #include "avatar_images.h"
 #include "body.h"
 #include "gltf/avatar_gltf.h"
@@ -113,13 +114,13 @@ Pose with_face(const FaceWeights& face) {
   return pose;
 }
 
-/// The right hand up before the shoulder in a handshape, its palm to the viewer.
-Pose showing(const Handshape& handshape) {
+/// The right hand up before the shoulder in a handshape, its palm to the viewer, or to the signer.
+Pose showing(const Handshape& handshape, bool from_behind = false) {
   const Signer& signer = *shipped().signer;
   const Skeleton& skeleton = shipped().figure.skeleton;
   Posture posture;
   posture.fingers = {0, 1, 0};
-  posture.palm = {0, 0, 1};
+  posture.palm = {0, 0, from_behind ? -1 : 1};
   posture.offset = Vec3(0.0, 0.0, 0.25);
   const HandState state = signer.place(posture, handshape, Side::kRight, {}).state;
   Pose pose = standing();
@@ -150,6 +151,32 @@ Row hands() {
        {"flat", "fist", "point", "two", "okay", "good", "spread", "letter_c", "hook", "love", "bad", "mother"}) {
     const auto handshape = shipped().lexicon->handshape(id);
     row.cells.push_back({id, hand_close_up(shipped().figure, showing(handshape.value().value()))});
+  }
+  return row;
+}
+
+/// Every handshape of the lexicon: its palm, and its back.
+Row all_handshapes() {
+  Row row{"All handshapes: palm to the viewer, back to the viewer", {}};
+  const std::vector<Handshape> handshapes = shipped().lexicon->handshapes().value();
+  for (const Handshape& handshape : handshapes) {
+    row.cells.push_back({handshape.id, hand_close_up(shipped().figure, showing(handshape))});
+    row.cells.push_back({handshape.id + ", back", hand_close_up(shipped().figure, showing(handshape, true))});
+  }
+  return row;
+}
+
+/// Every letter as it is held, from the viewer's side, and its hands from nearer.
+Row all_letters() {
+  Row row{"The alphabet, held, from the viewer's side", {}};
+  PerformanceOptions still;
+  still.idle = false;
+  for (char letter = 'A'; letter <= 'Z'; ++letter) {
+    const Score score = score_of({std::string("fs:") + letter});
+    Pose pose;
+    Performance(*shipped().signer, score, still).sample(score.glosses.front().end - ticks(0.05), pose);
+    row.cells.push_back({std::string(1, letter), drawn(shipped().figure, pose, CameraName::kFront)});
+    row.cells.push_back({std::string(1, letter) + ", hands", drawn(shipped().figure, pose, CameraName::kHands)});
   }
   return row;
 }
@@ -248,6 +275,8 @@ void write_all(const std::string& folder, std::span<char*> avatars) {
   const CaptionPainter text = CaptionPainter::open().value();
   write(folder + "/figure.png",
         contact_sheet({views(), hands(), mouths(), expressions(), appearances(), levels()}, 6, kCell, kCell, text));
+  write(folder + "/handshapes.png", contact_sheet({all_handshapes()}, 12, kCell, kCell, text));
+  write(folder + "/letters.png", contact_sheet({all_letters()}, 8, kCell, kCell, text));
   if (avatars.empty()) return;
   std::vector<Row> rows = {sentence("signer", Body{.figure = &shipped().figure})};
   for (const char* path : avatars)

@@ -5,6 +5,7 @@
 #include "kinematics/arm_ik.h"
 #include "kinematics/elementary.h"
 #include "kinematics/rotation.h"
+#include "kinematics/solid.h"
 #include "shipped.h"
 
 #include <cmath>
@@ -48,6 +49,16 @@ class Check : public ::testing::Test {
     HandState state = shown_;
     state.wrist.position += way;
     return state;
+  }
+
+  /// A place on the chest with the normal of the skin as it is drawn.
+  static Site chest_skin() {
+    const Figure& figure = shipped().figure;
+    const int trunk = figure.skeleton.find("spine_base");
+    const Vec3 origin = figure.skeleton.rest_position(trunk);
+    const Vec3 place = shipped().signer->body().site(Location::kChest, Side::kRight, Vec3(0.0), true).position;
+    const auto skin = Solid(figure.segments[static_cast<size_t>(trunk)]).nearest(place - origin, 0.05).value();
+    return {skin.position + origin, skin.normal};
   }
 
   Checker checker_;
@@ -161,6 +172,118 @@ TEST_F(Check, AHandBeforeTheMouthHidesIt) {
   state.wrist.position = skeleton.rest_position(skeleton.find("head_base")) + Vec3(0.0, -0.1, 0.25);
   EXPECT_NEAR(checker_.check(score_of_states({state, state}, 0.2)).of(Measure::kFaceHidden)->value, 100.0, 0.1);
   EXPECT_NEAR(checker_.check(score_of_states({low_[1], low_[1]}, 0.2)).of(Measure::kFaceHidden)->value, 0.0, 0.1);
+}
+
+TEST_F(Check, ALettersHoldIsMeasuredOnItsOwn) {
+  Score score = score_of_states({shown_, shown_}, 0.4);
+  HandTarget target;
+  target.begin = ticks(0.1);
+  target.end = ticks(0.2);
+  target.fingers = Vec3(0, 1, 0);
+  target.palm = Vec3(0, 0, 1);
+  target.angles = shown_.angles;
+  score.targets[1] = {target};
+  score.glosses = {{"KIM", 0, ticks(0.4), true, 0}};
+  const Verdict verdict = checker_.check(score);
+  EXPECT_FALSE(verdict.of(Measure::kHold));
+  EXPECT_NEAR(verdict.of(Measure::kLetterHold)->value, 100.0, 1.0);
+  EXPECT_FALSE(verdict.good(Measure::kLetterHold));
+}
+
+TEST_F(Check, ARateNeedsThreeInARowWithoutAPause) {
+  Score score = score_of_states({shown_, shown_}, 4.0);
+  const auto rate = [&](const std::vector<GlossSpan>& glosses, Measure measure) {
+    score.glosses = glosses;
+    const Verdict verdict = checker_.check(score);
+    return verdict.of(measure) ? verdict.of(measure)->value : -1.0;
+  };
+  const auto at = [](double begin) { return ticks(begin); };
+  EXPECT_NEAR(rate({{"A", at(0), at(.3), false, 0}, {"B", at(.5), at(.7), false, 1}, {"C", at(1), at(1.4), false, 2}},
+                   Measure::kSignRate),
+              2.0, 1e-9);
+  // A pause has a unit of its own.
+  EXPECT_EQ(rate({{"A", at(0), at(.3), false, 0}, {"B", at(.5), at(.7), false, 1}, {"C", at(1), at(1.4), false, 3}},
+                 Measure::kSignRate),
+            -1.0);
+  const std::vector<GlossSpan> letters = {
+      {"KIM", at(0), at(.2), true, 0}, {"KIM", at(.25), at(.4), true, 1}, {"KIM", at(.5), at(.7), true, 2}};
+  EXPECT_NEAR(rate(letters, Measure::kLetterRate), 4.0, 1e-9);
+  EXPECT_FALSE(checker_.check(score).good(Measure::kLetterRate));
+  EXPECT_EQ(rate(letters, Measure::kSignRate), -1.0);
+}
+
+TEST_F(Check, AnElbowThatSwingsRoundIsTooFast) {
+  HandState swung = shown_;
+  swung.swivel += 1.0;
+  // A minimum-jerk stroke of a radian in half a second peaks at 1.875 / 0.5 rad/s, which shoulder and wrist share.
+  const Verdict slow = checker_.check(score_of_states({shown_, swung}, 0.5));
+  EXPECT_TRUE(slow.good(Measure::kJointSpeed));
+  EXPECT_GT(slow.of(Measure::kJointSpeed)->value, 0.5 * 1.875 / 0.5 / kDegree);
+  const Verdict fast = checker_.check(score_of_states({shown_, swung}, 0.03));
+  EXPECT_FALSE(fast.good(Measure::kJointSpeed));
+  EXPECT_TRUE(fast.good(Measure::kWristSpeed));
+}
+
+TEST_F(Check, ANearHandKeepsItsDistance) {
+  const Site chest = chest_skin();
+  HandState state = shown_;
+  const Vec3 part = shipped().signer->hand(Side::kRight).site(HandPart::kPalm, state.angles).position;
+  Score score = score_of_states({state, state}, 0.2);
+  const auto miss = [&](double distance) {
+    state.wrist.position = chest.position + chest.normal * distance - state.wrist.rotation * part;
+    score.hands[1].front().from = score.hands[1].front().to = state;
+    HandTarget target;
+    target.begin = target.end = ticks(0.1);
+    target.stand_off = 0.015;
+    target.part = part;
+    target.location = Location::kChest;
+    score.targets[1] = {target};
+    const Verdict verdict = checker_.check(score);
+    EXPECT_FALSE(verdict.of(Measure::kContact));
+    return verdict.of(Measure::kStandOff)->value;
+  };
+  EXPECT_NEAR(miss(0.015), 0.0, 1.5);
+  EXPECT_NEAR(miss(0.045), 30.0, 2.0);
+}
+
+TEST_F(Check, AContactIsApproachedFromWithout) {
+  const Site chest = chest_skin();
+  const Vec3 part = shipped().signer->hand(Side::kRight).site(HandPart::kPalm, shown_.angles).position;
+  const auto angle = [&](const Vec3& from) {
+    HandState touching = shown_;
+    touching.wrist.position = chest.position - touching.wrist.rotation * part;
+    HandState before = touching;
+    before.wrist.position += from;
+    Score score = score_of_states({before, touching}, 0.3);
+    HandTarget target;
+    target.begin = target.end = ticks(0.3);
+    target.touches = true;
+    target.part = part;
+    target.location = Location::kChest;
+    score.targets[1] = {target};
+    const Verdict verdict = checker_.check(score);
+    return verdict.of(Measure::kApproach) ? verdict.of(Measure::kApproach)->value : -1.0;
+  };
+  // Where triangles meet, the skin's normal is that of either or the mean of both.
+  EXPECT_LT(angle(chest.normal * 0.1), 15.0);
+  const Vec3 along = unit(Vec3(0, 1, 0) - chest.normal * chest.normal.y);
+  EXPECT_NEAR(angle(chest.normal * 0.05 + along * 0.05), 45.0, 15.0);
+  EXPECT_GT(angle(along * 0.1 + chest.normal * 0.045), 60.0);
+}
+
+TEST_F(Check, TheLeftHandedSignerIsTheMirrorImage) {
+  const Verdict verdict = checker_.check(score_of({"WHERE"}));
+  ASSERT_TRUE(verdict.of(Measure::kMirror));
+  EXPECT_EQ(verdict.of(Measure::kMirror)->value, 0.0);
+}
+
+TEST_F(Check, AJointBeyondItsRangeIsToldWhichWay) {
+  HandState state = shown_;
+  state.angles.fingers[0].pip = 130.0 * kDegree;
+  const Verdict verdict = checker_.check(score_of_states({state, state}, 0.1));
+  EXPECT_NEAR(verdict.of(Measure::kJointLimits)->value, 20.0, 0.5);
+  EXPECT_EQ(verdict.of(Measure::kJointLimits)->where, "index_pip_r");
+  EXPECT_EQ(verdict.of(Measure::kJointLimits)->detail, "flexion of 130 degrees beyond 110 degrees");
 }
 
 }  // namespace

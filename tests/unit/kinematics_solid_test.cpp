@@ -145,5 +145,24 @@ TEST(Solid, NothingIsFoundBeyondTheReach) {
   EXPECT_FALSE(Solid(Mesh{}).nearest({0, 0, 0}, 1e9));
 }
 
+TEST(Solid, WhatIsInsideIsWhatTheSurfaceWindsRound) {
+  Mesh mesh = sphere(0.1, 16, 24);
+  const Solid ball(mesh);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> uniform(-0.12, 0.12);
+  for (int i = 0; i < 500; ++i) {
+    const Vec3 p(uniform(random), uniform(random), uniform(random));
+    const double radius = std::sqrt(glm::dot(p, p));
+    if (radius > 0.0975 && radius < 0.1) continue;  // between the sphere and its flat faces
+    EXPECT_EQ(ball.contains(p), radius < 0.0985) << radius;
+  }
+  // A sphere without its cap still holds what is well inside it, and nothing above the hole.
+  mesh.indices.erase(mesh.indices.begin(), mesh.indices.begin() + 3 * 24 * 3);
+  const Solid open(mesh);
+  EXPECT_TRUE(open.contains(Vec3(0.0)));
+  EXPECT_TRUE(open.contains(Vec3(0.0, -0.09, 0.0)));
+  EXPECT_FALSE(open.contains(Vec3(0.0, 0.099, 0.0)));
+}
+
 }  // namespace
 }  // namespace auslan

@@ -33,6 +33,11 @@ class Solid {
   /// which it is deepest: never deeper than it truly is below the surface of all of them together.
   std::optional<NearestSurface> nearest(const Vec3& point, double within) const;
 
+  /// Whether a part winds round the point by more than half (the generalised winding number of Jacobson, Kavan &
+  /// Sorkine-Hornung 2013). It takes every triangle, so it is slow; it is right where the sign of nearest() may not be:
+  /// where a surface touches itself, as lips do, and near a rim.
+  bool contains(const Vec3& point) const;
+
   /// A box that holds everything, mesh frame; low > high for an empty solid.
   const Vec3& low() const { return low_; }
   const Vec3& high() const { return high_; }

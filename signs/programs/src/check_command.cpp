@@ -1,119 +1,125 @@
 // SPDX-License-Identifier: Apache-2.0
-// `check`: entries of the lexicon performed on the figure and held against the limits of the project.
+// `check`: entries and phrases of the lexicon performed on the figure and held against the limits of the project, and
+// against the list of what is known to break them.
 #include "check/check.h"
+#include "check/exceptions.h"
+#include "check_report.h"
 #include "commands.h"
+#include "data_files.h"
 #include "frame_maker.h"
+#include "kinematics/whole_file.h"
 #include "media/picture.h"
 #include "progress.h"
 #include "session.h"
 #include "stop_request.h"
 #include "synthesis/choreography.h"
 
-#include <array>
-#include <cstdio>
+#include <algorithm>
+#include <atomic>
 #include <filesystem>
-#include <nlohmann/json.hpp>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
 #include <utility>
+#include <vector>
 
 namespace auslan {
 namespace {
 
-using Json = nlohmann::ordered_json;
+constexpr std::string_view kPhrase = "phrase:";
+constexpr uint64_t kLargestList = 16'000'000;
 
-struct Checked {
-  std::string gloss;
-  Verdict verdict;
+struct Subject {
+  std::string name;
+  Utterance utterance;
 };
 
-std::string number(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.1f", value);
-  return text;
-}
-
-/// "35.7 mm (thumb_ip_r in spine_base at 1.02 s)".
-std::string in_words(Measure measure, const Measured& found) {
-  char at[40];
-  std::snprintf(at, sizeof at, " at %.2f s)", seconds(found.time));
-  return number(found.value) + " " + std::string(info(measure).unit) + " (" + found.where + at;
-}
-
-std::string limit_of(Measure measure) {
-  const MeasureInfo& range = info(measure);
-  if (range.low > 0.0 && range.high >= 1e6) return "at least " + number(range.low);
-  return (range.low > 0.0 ? number(range.low) + " to " : "at most ") + number(range.high);
-}
-
-/// The measure that is farthest outside, counted in its limit; nothing when all are good.
-std::optional<Measure> worst_of(const Verdict& verdict) {
-  std::optional<Measure> worst;
-  double most = 0.0;
-  for (size_t i = 0; i < kMeasureCount; ++i) {
-    const auto measure = static_cast<Measure>(i);
-    if (verdict.good(measure)) continue;
-    const double value = verdict.of(measure)->value;
-    const MeasureInfo& range = info(measure);
-    const double times = value > range.high ? value / range.high : range.low / std::max(value, 1e-3);
-    if (times <= most) continue;
-    most = times;
-    worst = measure;
+/// A phrase with something in its slots.
+std::string filled(std::string english) {
+  for (const auto& [slot, word] : {std::pair<std::string_view, std::string_view>{"{NAME}", "Kim"},
+                                   {"{NUMBER}", "5"},
+                                   {"{TIME}", "3"},
+                                   {"{WORD}", "Kim"}}) {
+    for (size_t at = english.find(slot); at != std::string::npos; at = english.find(slot))
+      english.replace(at, slot.size(), word);
   }
-  return worst;
+  return english;
 }
 
-std::string as_text(const std::vector<Checked>& all) {
-  std::string text;
-  std::array<int, kMeasureCount> outside{};
-  std::array<const Checked*, kMeasureCount> extreme{};
-  int good = 0;
-  for (const Checked& entry : all) {
-    if (entry.verdict.good()) {
-      ++good;
-      continue;
+Result<std::vector<Subject>> subjects_of(Session& session, const Options& options) {
+  const auto lexicon = session.lexicon();
+  if (!lexicon) return tl::unexpected(lexicon.error());
+  std::vector<std::string> names = options.words;
+  if (names.empty()) {
+    const auto entries = (*lexicon)->list();
+    if (!entries) return tl::unexpected(entries.error());
+    for (const SignSummary& entry : *entries)
+      names.push_back(entry.gloss);
+    for (const Phrase& phrase : (*lexicon)->phrases())
+      names.push_back(std::string(kPhrase) + phrase.id);
+  }
+  std::vector<Subject> subjects;
+  for (const std::string& name : names) {
+    Result<Utterance> utterance;
+    if (name.starts_with(kPhrase)) {
+      const auto& phrases = (*lexicon)->phrases();
+      const auto phrase = std::ranges::find(phrases, name.substr(kPhrase.size()), &Phrase::id);
+      if (phrase == phrases.end())
+        return fail(ErrorCode::kNotFound, "the lexicon has no phrase " + name.substr(kPhrase.size()));
+      utterance = session.utterance_of_text(filled(phrase->english));
+    } else {
+      utterance = session.utterance_of(name);
     }
-    text += entry.gloss + "\n";
-    for (size_t i = 0; i < kMeasureCount; ++i) {
-      const auto measure = static_cast<Measure>(i);
-      if (entry.verdict.good(measure)) continue;
-      ++outside[i];
-      const double value = entry.verdict.of(measure)->value;
-      if (extreme[i] == nullptr || value > extreme[i]->verdict.of(measure)->value) extreme[i] = &entry;
-      text += "  " + std::string(info(measure).name) + ": " + in_words(measure, *entry.verdict.of(measure)) + "\n";
-    }
+    if (!utterance) return tl::unexpected(utterance.error());
+    subjects.push_back({name, std::move(*utterance)});
   }
-  text += std::to_string(good) + " of " + std::to_string(all.size()) + " within all limits\n";
-  for (size_t i = 0; i < kMeasureCount; ++i) {
-    if (outside[i] == 0) continue;
-    const auto measure = static_cast<Measure>(i);
-    text += std::string(info(measure).name) + ": " + std::to_string(outside[i]) + " outside (" + limit_of(measure) +
-            " " + std::string(info(measure).unit) + "), the most " + number(extreme[i]->verdict.of(measure)->value) +
-            " in " + extreme[i]->gloss + "\n";
-  }
-  return text;
+  return subjects;
 }
 
-std::string as_json(const std::vector<Checked>& all) {
-  Json json;
-  json["limits"] = Json::object();
-  for (size_t i = 0; i < kMeasureCount; ++i) {
-    const MeasureInfo& range = info(static_cast<Measure>(i));
-    json["limits"][std::string(range.name)] = {{"unit", range.unit}, {"low", range.low}, {"high", range.high}};
-  }
-  json["entries"] = Json::array();
-  for (const Checked& entry : all) {
-    Json one = {{"gloss", entry.gloss}, {"good", entry.verdict.good()}, {"measures", Json::object()}};
-    for (size_t i = 0; i < kMeasureCount; ++i) {
-      const auto measure = static_cast<Measure>(i);
-      const auto& found = entry.verdict.of(measure);
-      if (!found) continue;
-      one["measures"][std::string(info(measure).name)] = {{"value", found->value},
-                                                          {"good", entry.verdict.good(measure)},
-                                                          {"seconds", seconds(found->time)},
-                                                          {"where", found->where}};
+/// All of them, `threads` at a time; in their own order, whatever the number.
+Result<std::vector<Checked>> check_all(const Signer& signer, const std::vector<Subject>& subjects, int threads,
+                                       bool quiet) {
+  const Checker checker(signer);
+  std::vector<Checked> all(subjects.size());
+  std::vector<std::optional<Error>> errors(subjects.size());
+  std::atomic<size_t> next{0};
+  std::mutex showing;
+  int64_t done = 0;
+  Progress progress("checking", static_cast<int64_t>(subjects.size()), quiet);
+  const auto work = [&] {
+    for (size_t i = next++; i < subjects.size() && !stop_requested(); i = next++) {
+      const auto score = choreograph(signer, subjects[i].utterance);
+      if (score) {
+        all[i] = {subjects[i].name, checker.check(*score)};
+      } else {
+        errors[i] = score.error();
+      }
+      const std::lock_guard lock(showing);
+      progress.update(++done);
     }
-    json["entries"].push_back(one);
-  }
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  };
+  std::vector<std::jthread> others;
+  for (int i = 1; i < threads; ++i)
+    others.emplace_back(work);
+  work();
+  others.clear();
+  if (stop_requested()) return stopped();
+  for (const auto& error : errors)
+    if (error) return tl::unexpected(*error);
+  return all;
+}
+
+/// The list that goes with what is checked: that of the command line, else for the built-in figure and lexicon the one
+/// that lies beside them.
+Result<std::vector<CheckException>> known_exceptions(const Options& options) {
+  const bool built_in = options.avatar.empty() && options.database.empty() && options.detail == "normal";
+  if (options.exceptions.empty() && !built_in) return std::vector<CheckException>();
+  const std::filesystem::path path =
+      options.exceptions.empty() ? data_file("check_exceptions.txt") : std::filesystem::path(options.exceptions);
+  const auto text = read_whole_file(path, kLargestList);
+  if (!text) return tl::unexpected(text.error());
+  return read_exceptions(*text, path.string());
 }
 
 /// The moment of the worst measure, with what is wrong as its caption.
@@ -133,8 +139,8 @@ Result<void> draw_worst(const Options& options, const Body& body, const StageOpt
   CaptionStyle style;
   style.size_px = std::max(12, form.height / 30);
   painter->paint(picture.span(),
-                 entry.gloss + ", " + std::string(info(*measure).name) + ": " + in_words(*measure, found), style);
-  std::string name = entry.gloss;
+                 entry.subject + ", " + std::string(info(*measure).name) + ": " + in_words(*measure, found), style);
+  std::string name = entry.subject;
   for (char& c : name)
     if (c == ':' || c == '/' || c == ' ') c = '_';
   return write_png((std::filesystem::path(options.output) / (name + ".png")).string(), picture.view());
@@ -148,40 +154,39 @@ Result<void> run_check(const Options& options) {
   if (!body) return tl::unexpected(body.error());
   const auto signer = session.signer();
   if (!signer) return tl::unexpected(signer.error());
-  const auto lexicon = session.lexicon();
-  if (!lexicon) return tl::unexpected(lexicon.error());
-  std::vector<std::string> glosses = options.words;
-  if (glosses.empty()) {
-    const auto entries = (*lexicon)->list();
-    if (!entries) return tl::unexpected(entries.error());
-    for (const SignSummary& entry : *entries)
-      glosses.push_back(entry.gloss);
-  }
+  const auto exceptions = known_exceptions(options);
+  if (!exceptions) return tl::unexpected(exceptions.error());
+  const auto subjects = subjects_of(session, options);
+  if (!subjects) return tl::unexpected(subjects.error());
   if (!options.output.empty()) {
     std::error_code failed;
     std::filesystem::create_directories(options.output, failed);
     if (failed) return fail(ErrorCode::kUnwritable, "cannot make the folder " + options.output);
   }
-  const Checker checker(**signer);
-  std::vector<Checked> all;
-  Progress progress("checking", static_cast<int64_t>(glosses.size()), options.quiet);
-  for (const std::string& gloss : glosses) {
+  auto all = check_all(**signer, *subjects, options.threads, options.quiet);
+  if (!all) return tl::unexpected(all.error());
+  CheckReport report;
+  report.all = std::move(*all);
+  report.exceptions = exceptions->size();
+  report.findings = compare(report.all, *exceptions, options.words.empty());
+  report.figure = options.avatar;
+  report.lacks = session.figure_lacks();
+  report.each = !options.words.empty();
+  for (size_t i = 0; i < report.all.size() && !options.output.empty(); ++i) {
     if (stop_requested()) return stopped();
-    const auto utterance = session.utterance_of(gloss);
-    if (!utterance) return tl::unexpected(utterance.error());
-    const auto score = choreograph(**signer, *utterance);
+    if (report.all[i].verdict.good()) continue;
+    const auto score = choreograph(**signer, (*subjects)[i].utterance);
     if (!score) return tl::unexpected(score.error());
-    all.push_back({gloss, checker.check(*score)});
-    if (!options.output.empty())
-      if (auto drawn = draw_worst(options, *body, session.stage(), *score, **signer, all.back()); !drawn) return drawn;
-    progress.update(static_cast<int64_t>(all.size()));
+    if (auto drawn = draw_worst(options, *body, session.stage(), *score, **signer, report.all[i]); !drawn) return drawn;
   }
-  if (auto printed = print(options.json ? as_json(all) : as_text(all)); !printed) return printed;
-  const auto bad = std::ranges::count_if(all, [](const Checked& entry) { return !entry.verdict.good(); });
-  if (bad == 0) return {};
-  return fail(ErrorCode::kMalformed, std::to_string(bad) + " of " + std::to_string(all.size()) +
-                                         " entries are outside the limits; `auslanjam check --picture FOLDER` draws "
-                                         "the worst moment of each");
+  if (auto printed = print(options.json ? as_json(report) : as_text(report)); !printed) return printed;
+  if (!options.write_exceptions.empty())
+    return write_whole_file(options.write_exceptions, write_exceptions(exceptions_for(report.all)));
+  if (report.findings.empty()) return {};
+  return fail(ErrorCode::kMalformed, std::to_string(report.findings.size()) + " findings beside " +
+                                         std::to_string(report.exceptions) +
+                                         " listed exceptions; `auslanjam check --picture FOLDER` draws the worst "
+                                         "moment of each entry, `--write-exceptions FILE` lists them anew");
 }
 
 }  // namespace auslan

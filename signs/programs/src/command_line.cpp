@@ -236,6 +236,29 @@ void add_avatar(CLI::App& app, Options& options) {
       "  auslanjam render \"Where does it hurt?\" --avatar figure.vrm -o hurt.mp4");
 }
 
+void add_check(CLI::App& app, Options& options) {
+  app.add_option("GLOSS", options.words,
+                 "Which, or phrase:ID; all entries and phrases of the lexicon when none is given (takes a minute)");
+  app.add_option("--picture", options.output, "A folder for pictures of the worst moment of each that is outside")
+      ->type_name("FOLDER");
+  app.add_option("--exceptions", options.exceptions,
+                 "What is known to be outside (the built-in list, for the built-in figure and lexicon)")
+      ->type_name("FILE");
+  app.add_option("--write-exceptions", options.write_exceptions, "Write such a list of what is outside now")
+      ->type_name("FILE");
+  add_parsed(app, "--threads", "How many are checked at once (1)", "N",
+             [&options](const std::string& text) { return parse_int(text, 1, 64, options.threads); });
+  add_figure(app, options);
+  app.footer(
+      "Performs each without idle motion, looks 120 times a second and measures it on the figure's own surface. The "
+      "exit\nstatus is 1 where a limit is broken that is not listed as an exception, where one is broken farther than "
+      "listed,\nand where an exception is needless.\n"
+      "Examples:\n"
+      "  auslanjam check\n"
+      "  auslanjam check HURT fs:A phrase:hello-how-are-you --picture worst\n"
+      "  auslanjam check --avatar figure.vrm --json");
+}
+
 void add_common(CLI::App& app, Options& options) {
   app.add_option("--db", options.database, "Another lexicon database")->type_name("FILE");
   app.add_flag("--quiet", options.quiet, "No progress, no remarks");
@@ -318,10 +341,7 @@ std::variant<Options, ExitNow> parse_command_line(int argc, const char* const* a
   add_avatar(*avatar, options);
   CLI::App* check_signs = app.add_subcommand(
       "check", "Measure how well entries are signed: contact, body parts inside each other, directions, joints, speed");
-  check_signs->add_option("GLOSS", options.words, "Which; all of the lexicon when none is given (takes minutes)");
-  check_signs->add_option("--picture", options.output, "A folder for pictures of the worst moment of each entry")
-      ->type_name("FOLDER");
-  add_figure(*check_signs, options);
+  add_check(*check_signs, options);
   CLI::App* db = app.add_subcommand("db", "Look into the lexicon");
   db->require_subcommand(1);
   CLI::App* list = db->add_subcommand("list", "List the entries");

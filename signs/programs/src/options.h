@@ -60,6 +60,9 @@ struct Options {
   uint64_t seed = 1;
   bool quiet = false;
   bool json = false;
+  // check
+  std::string exceptions;        ///< a list in place of the built-in one; empty: that, for the built-in figure
+  std::string write_exceptions;  ///< where to write what breaks a limit; empty: nowhere
   // db
   std::vector<std::string> words;  ///< the glosses to show, the words to search
   std::string kind, category, region;

@@ -115,6 +115,17 @@ Result<const Figure*> Session::figure() {
   return figure_.get();
 }
 
+std::vector<std::string> Session::figure_lacks() const {
+  if (!avatar_) return {};
+  std::vector<std::string> lacks = avatar_->warnings;
+  std::string channels;
+  for (size_t i = 0; i < kFaceChannelNames.size(); ++i)
+    if (avatar_->avatar.face[i].means == FaceDrive::Means::kNone)
+      channels += (channels.empty() ? "" : ", ") + std::string(kFaceChannelNames[i]);
+  if (!channels.empty()) lacks.push_back("of its face these cannot be moved: " + channels);
+  return lacks;
+}
+
 Result<Body> Session::body() {
   const auto figure = this->figure();
   if (!figure) return tl::unexpected(figure.error());
@@ -155,6 +166,12 @@ Result<Translation> Session::translation() {
     }
     return translation_of_glosses(names);
   }
+  return translation_of(*options_.source.text);
+}
+
+Result<Translation> Session::translation_of(const std::string& english) {
+  const auto lexicon = this->lexicon();
+  if (!lexicon) return tl::unexpected(lexicon.error());
   auto data = translator_data(**lexicon);
   if (!data) return tl::unexpected(data.error());
   // Without WordNet's lists the rules for endings still stand; "teeth" is then spelled, and said so.
@@ -162,7 +179,7 @@ Result<Translation> Session::translation() {
   if (forms) data->irregular_lemmas = std::move(*forms);
   auto translator = Translator::build(std::move(*data));
   if (!translator) return tl::unexpected(translator.error());
-  auto translation = translator->translate(*options_.source.text);
+  auto translation = translator->translate(english);
   if (!translation) return tl::unexpected(as_usage(translation.error()));
   if (!forms)
     translation->warnings.push_back("Irregular words such as \"teeth\" are not known: " + to_string(forms.error()) +
@@ -238,19 +255,30 @@ Result<Session::Spoken> Session::spoken() {
   // Told before the work is begun.
   if (const double least = least_seconds(*translation) / options_.speed; least > kLongestSeconds)
     return too_long("at least " + std::to_string(static_cast<int>(least / 60)) + " minutes");
-  auto utterance = compose(
-      *translation, [this](std::string_view gloss) { return lexicon_->sign(gloss); },
-      [this](std::string_view id) { return lexicon_->handshape(id); });
+  auto utterance = composed(*translation);
   if (!utterance) return tl::unexpected(utterance.error());
   return Spoken{std::move(*utterance), translation->warnings};
+}
+
+Result<Utterance> Session::composed(const Translation& translation) {
+  return compose(
+      translation, [this](std::string_view gloss) { return lexicon_->sign(gloss); },
+      [this](std::string_view id) { return lexicon_->handshape(id); });
 }
 
 Result<Utterance> Session::utterance_of(const std::string& gloss) {
   const auto lexicon = this->lexicon();
   if (!lexicon) return tl::unexpected(lexicon.error());
-  return compose(
-      translation_of_glosses({entry_name(gloss)}), [this](std::string_view name) { return lexicon_->sign(name); },
-      [this](std::string_view id) { return lexicon_->handshape(id); });
+  Translation translation = translation_of_glosses({entry_name(gloss)});
+  // A letter is performed as in a spelled word.
+  if (gloss.starts_with("fs:")) translation.items.front().kind = ItemKind::kSpelled;
+  return composed(translation);
+}
+
+Result<Utterance> Session::utterance_of_text(const std::string& english) {
+  const auto translation = translation_of(english);
+  if (!translation) return tl::unexpected(translation.error());
+  return composed(*translation);
 }
 
 Result<const Signer*> Session::signer() {

@@ -47,6 +47,10 @@ class Session {
   Result<const Signer*> signer();
   /// One entry of the lexicon. kNotFound when there is none.
   Result<Utterance> utterance_of(const std::string& gloss);
+  /// English, translated.
+  Result<Utterance> utterance_of_text(const std::string& english);
+  /// What a foreign figure lacks for signing or does otherwise; after figure().
+  std::vector<std::string> figure_lacks() const;
 
  private:
   /// What is to be performed, and what has to be said about it.
@@ -54,6 +58,8 @@ class Session {
     Utterance utterance;
     std::vector<std::string> warnings;
   };
+  Result<Translation> translation_of(const std::string& english);
+  Result<Utterance> composed(const Translation& translation);
   Result<Spoken> spoken();
   Result<Spoken> notated();
   Result<Show> show_of_motion_file();

@@ -278,6 +278,7 @@ std::optional<HandTarget> SignBuilder::shown(const HandState& state, const std::
     target.reached = placed[i].state.wrist.rotation;
     target.angles = placed[i].state.angles;
     target.touches = placed[i].touching;
+    target.stand_off = placed[i].stand_off;
     target.part = placed[i].part;
     target.location = placed[i].location;
     return target;

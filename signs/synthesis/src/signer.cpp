@@ -233,7 +233,11 @@ PlacedHand Signer::place(const Posture& posture, const Handshape& handshape, Sid
   } else {
     site = body_.site(on_other ? Location::kNeutral : location, side, offset, placed.touching);
   }
-  if (contact && kind == ContactKind::kNear) site.position += site.normal * kNearDistance;
+  if (contact && kind == ContactKind::kNear) {
+    // An offset leads farther out.
+    placed.stand_off = kNearDistance + std::max(0.0, glm::dot(offset, site.normal));
+    site.position += site.normal * kNearDistance;
+  }
   placed.normal = placed.touching ? site.normal : -palm;
   state.follows_head = is_on_head(location) && (placed.touching || kind == ContactKind::kNear) ? 1.0 : 0.0;
 

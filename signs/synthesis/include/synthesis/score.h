@@ -95,7 +95,8 @@ struct HandTarget {
   Quat reached = kIdentity;  ///< world_from_wrist chosen for it: as near to the stated directions as the joints allow
   HandAngles angles;         ///< of the handshape
   bool touches = false;
-  Vec3 part{0.0};  ///< what touches, in the wrist's frame
+  double stand_off = 0;  ///< metres that the part keeps from the surface of what it is only near; 0: nothing is said
+  Vec3 part{0.0};        ///< what touches or is near, in the wrist's frame
   Location location = Location::kNeutral;
 };
 

@@ -32,6 +32,7 @@ struct ArmPlacement {
 struct PlacedHand {
   HandState state;
   bool touching = false;
+  double stand_off = 0;        ///< metres that it keeps from what it is near, where the entry says so; else 0
   Vec3 normal{0.0, 0.0, 1.0};  ///< outward normal of the surface that is touched, or of the palm's facing in the air
   Vec3 part{0.0};              ///< what is brought to the place, or touches there, in the wrist's frame
   Location location = Location::kNeutral;  ///< the posture's, or the finer one that its contact names

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// Figures of other makers under `auslanjam check`: the alphabet and fifty signs each, told in full, and what a figure
+// cannot do is told too.
+#include "sample_avatars.h"
+#include "scratch_folder.h"
+
+#include <cstdio>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <ostream>
+#include <string>
+
+namespace auslan {
+namespace {
+
+using nlohmann::json;
+
+/// The letters, and every so many of the signs.
+std::string subjects() {
+  const Ran listed = run(std::string(AUSLANJAM_PROGRAM) + " db list --kind sign --json 2>/dev/null");
+  const json entries = json::parse(listed.output);
+  const json& signs = entries.is_array() ? entries : entries["entries"];
+  std::string all;
+  for (char letter = 'A'; letter <= 'Z'; ++letter)
+    all += std::string(" fs:") + letter;
+  for (size_t i = 0; i < 50; ++i)
+    all += " '" + signs[i * signs.size() / 50]["gloss"].get<std::string>() + "'";
+  return all;
+}
+
+struct Sample {
+  const char* name;
+  const char* lack;  ///< something that it is told to lack
+
+  friend std::ostream& operator<<(std::ostream& out, const Sample& sample) { return out << sample.name; }
+};
+
+class CheckAvatars : public testing::TestWithParam<Sample> {};
+
+TEST_P(CheckAvatars, EveryMeasureIsTakenOfLettersAndSigns) {
+  const auto& [name, lack] = GetParam();
+  AUSLAN_NEEDS_AVATAR(name);
+  const Ran ran = run(std::string(AUSLANJAM_PROGRAM) + " check --json --quiet --threads 2 --avatar '" +
+                      test::sample_avatar(name).string() + "'" + subjects() + " 2>/dev/null");
+  ASSERT_FALSE(ran.output.empty());
+  const json told = json::parse(ran.output);
+  ASSERT_EQ(told["entries"].size(), 76U);
+  int good = 0;
+  for (const json& entry : told["entries"]) {
+    good += entry["good"].get<bool>() ? 1 : 0;
+    for (const char* measure : {"penetration", "direction", "handshape", "joint-limits", "joint-speed",
+                                "angular-velocity", "wrist-speed", "mirror"})
+      EXPECT_TRUE(entry["measures"].contains(measure)) << entry["gloss"] << " " << measure;
+    EXPECT_TRUE(entry["measures"]["mirror"]["good"].get<bool>()) << entry["gloss"];
+    EXPECT_TRUE(entry["measures"]["angular-velocity"]["good"].get<bool>()) << entry["gloss"];
+  }
+  std::printf("%s: %d of 76 within all limits; outside of each measure:", name, good);
+  for (const auto& [measure, total] : told["totals"].items())
+    if (total["measured"].get<int>() > 0)
+      std::printf(" %s %d/%d", measure.c_str(), total["outside"].get<int>(), total["measured"].get<int>());
+  std::printf("\n");
+  EXPECT_NE(told["figure"]["lacks"].dump().find(lack), std::string::npos) << told["figure"];
+}
+
+INSTANTIATE_TEST_SUITE_P(Samples, CheckAvatars,
+                         testing::Values(Sample{"makehuman.glb", "mouthPressLeft"},
+                                         Sample{"makehuman.vrm", "mouthPressLeft"},
+                                         Sample{"godette.vrm", "ring finger is missing"}));
+
+}  // namespace
+}  // namespace auslan

@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the built-in figure's hands reach, with the tables printed: all orientations of the notation before the body,
+// and all named places with all parts of a hand. What is not reached is held against a search through the arm's own
+// angles.
+#include "body_solids.h"
+#include "direction.h"
+#include "kinematics/arm_ik.h"
+#include "kinematics/elementary.h"
+#include "kinematics/limits.h"
+#include "kinematics/rotation.h"
+#include "kinematics/solid.h"
+#include "phonology/vocabulary.h"
+#include "shipped.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <gtest/gtest.h>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace auslan {
+namespace {
+
+constexpr double kWithin = 5.0;     // degrees of a direction
+constexpr double kInLimits = 0.05;  // degrees, the room that `auslanjam check` leaves
+constexpr double kTouch = 0.003;    // metres
+constexpr double kFarthest = 0.5;   // metres; skin farther away is not looked for
+// What the solver of the hand's place is known to miss though an arm could do it: may become fewer, never more.
+constexpr int kMissedOrientations = 18;  // of each hand, of 208
+constexpr int kOpenPinches = 22;         // of 33 pairs of a thumb and a finger
+constexpr int kMissedPlaces = 97;        // of 975 pairs
+constexpr std::array<const char*, 8> kPalmLetters = {"u", "ur", "r", "dr", "d", "dl", "l", "ul"};
+
+double length(const Vec3& v) {
+  return std::sqrt(glm::dot(v, v));
+}
+
+std::vector<Direction> directions() {
+  std::vector<Direction> all;
+  for (int up = 1; up >= -1; --up)
+    for (int left = 1; left >= -1; --left)
+      for (int away = 1; away >= -1; --away)
+        if (left != 0 || up != 0 || away != 0) all.push_back({left, up, away});
+  return all;
+}
+
+/// The part of the palm that is across the fingers, which alone can be stated freely.
+Vec3 across(const Vec3& palm, const Vec3& fingers) {
+  return unit(palm - fingers * glm::dot(palm, fingers));
+}
+
+class Reach {
+ public:
+  Reach() : signer_(*shipped().signer), skeleton_(shipped().figure.skeleton) {}
+
+  const Signer& signer() const { return signer_; }
+
+  Transform parent(Side side) const {
+    return {kIdentity, skeleton_.rest_position(skeleton_.node(arm_nodes(skeleton_, side).shoulder).parent)};
+  }
+  /// Degrees by which the arm breaks its limits; nothing where the wrist is out of reach.
+  std::optional<double> strain(Side side, const Transform& wrist, double swivel) const {
+    const ArmNodes nodes = arm_nodes(skeleton_, side);
+    const ArmSolution arm = solve_arm(skeleton_, side, parent(side), wrist, swivel);
+    if (!arm.reachable) return std::nullopt;
+    return (limit_violation(skeleton_, nodes.shoulder, arm.shoulder) +
+            limit_violation(skeleton_, nodes.elbow, arm.elbow) + limit_violation(skeleton_, nodes.wrist, arm.wrist)) /
+           kDegree;
+  }
+  /// The least strain over all swivels, ended early where there is none.
+  double least_strain(Side side, const Transform& wrist, double step) const {
+    double least = 1e9;
+    for (double swivel = -90.0; swivel <= 180.0 && least > kInLimits; swivel += step)
+      if (const auto found = strain(side, wrist, swivel * kDegree)) least = std::min(least, *found);
+    return least;
+  }
+  /// The least strain with a hand's part at a place, leaning by no more than may be.
+  double possible(Side side, const Vec3& part, const Vec3& place, const Quat& wanted) const {
+    double least = 1e9;
+    for (int x = -1; x <= 1; ++x)
+      for (int y = -1; y <= 1; ++y)
+        for (int z = -1; z <= 1 && least > kInLimits; ++z) {
+          const Vec3 axis(x, y, z);
+          const double size = length(axis);
+          const Quat lean = size > 0 ? axis_angle(axis / size, 0.98 * kWithin * kDegree) : kIdentity;
+          Transform wrist;
+          wrist.rotation = lean * wanted;
+          wrist.position = place - wrist.rotation * part;
+          least = std::min(least, least_strain(side, wrist, 2.5));
+        }
+    return least;
+  }
+  /// The same anywhere before the body where hands sign.
+  bool possible_somewhere(Side side, const Quat& wanted) const {
+    const Vec3 middle = signer_.body().sternum();
+    for (double x = -0.3; x <= 0.31; x += 0.1)
+      for (double y = -0.3; y <= 0.31; y += 0.1)
+        for (double z = 0.1; z <= 0.51; z += 0.1)
+          if (least_strain(side, {wanted, middle + Vec3(x, y, z)}, 10.0) <= kInLimits) return true;
+    return false;
+  }
+
+ private:
+  const Signer& signer_;
+  const Skeleton& skeleton_;
+};
+
+TEST(Reach, OrientationsThatAnArmAllowsAreShown) {
+  const Reach reach;
+  const Handshape flat = shipped().lexicon->handshape("flat").value().value();
+  for (const Side side : {Side::kRight, Side::kLeft}) {
+    const HandFrame& frame = reach.signer().hand_frame(side);
+    int shown = 0;
+    int missed = 0;
+    int never_here = 0;
+    int never = 0;
+    std::string table;
+    for (const Direction& fingers : directions()) {
+      char row[40];
+      std::snprintf(row, sizeof row, "%-18s", to_name(fingers).c_str());
+      table += row;
+      for (const char* letters : kPalmLetters) {
+        Posture posture;
+        posture.fingers = fingers;
+        posture.palm = notation::nearest_palm(
+            notation::palm_of(*notation::vector_of_letters(letters), to_vector(fingers)), fingers);
+        // Before its own shoulder, where a hand is freest.
+        posture.offset = Vec3(side == Side::kRight ? -0.15 : 0.15, 0.0, 0.3);
+        const Vec3 f = to_vector(posture.fingers);
+        const Vec3 p = across(to_vector(posture.palm), f);
+        const PlacedHand placed = reach.signer().place(posture, flat, side, {});
+        const Quat& turned = placed.state.wrist.rotation;
+        const double off =
+            std::max(notation::angle_deg(turned * frame.fingers, f), notation::angle_deg(turned * frame.palm, p));
+        const auto strain = reach.strain(side, placed.state.wrist, placed.state.swivel);
+        if (off <= kWithin && strain && *strain <= kInLimits) {
+          ++shown;
+          table += "  .";
+          continue;
+        }
+        const Quat wanted = orient_hand(frame, f, p);
+        const Vec3 place = apply(placed.state.wrist, placed.part);
+        if (reach.possible(side, placed.part, place, wanted) <= kInLimits) {
+          ++missed;
+          table += "  M";
+        } else if (reach.possible_somewhere(side, wanted)) {
+          ++never_here;
+          table += "  h";
+        } else {
+          ++never;
+          table += "  n";
+        }
+      }
+      table += "\n";
+    }
+    std::printf(
+        "%s hand, fingers by palm (u ur r dr d dl l ul): . shown within %.0f degrees and all joint limits, M missed\n"
+        "though an arm could, h not at this place but elsewhere before the body, n nowhere there\n%s"
+        "%d shown, %d missed, %d not at this place, %d nowhere\n",
+        side == Side::kRight ? "right" : "left", kWithin, table.c_str(), shown, missed, never_here, never);
+    EXPECT_EQ(shown + missed + never_here + never, 26 * 8);
+    EXPECT_LE(missed, kMissedOrientations) << "orientations that an arm within its limits could show";
+  }
+}
+
+bool touches_other_arm(Location location) {
+  return is_on_other_hand(location) || location == Location::kUpperArm || location == Location::kElbow;
+}
+
+/// Whose skin a place is.
+std::vector<BodyGroup> skin_of(Location location) {
+  if (location == Location::kUpperArm || location == Location::kElbow || location == Location::kOtherElbow)
+    return {BodyGroup::kLeftUpperArm, BodyGroup::kLeftForearm};
+  if (is_on_other_hand(location)) return {BodyGroup::kLeftHand, BodyGroup::kLeftForearm};
+  return {BodyGroup::kHead, BodyGroup::kTrunk};
+}
+
+TEST(Reach, EveryPlaceIsTouchedByEveryPartOfTheHand) {
+  const Reach reach;
+  const Signer& signer = reach.signer();
+  const Skeleton& skeleton = shipped().figure.skeleton;
+  const BodySolids solids(shipped().figure);
+  const Handshape flat = shipped().lexicon->handshape("flat").value().value();
+  // The left hand before the body, its palm to the right.
+  Posture base;
+  base.fingers = {0, 1, 1};
+  base.palm = {-1, 0, 0};
+  base.offset = Vec3(0.05, 0.0, 0.28);
+  const HandState other = signer.place(base, flat, Side::kLeft, {}).state;
+  std::vector<Transform> world(static_cast<size_t>(skeleton.size()));
+  const auto put = [&](Side side, const HandState& state, Pose& pose) {
+    const ArmNodes nodes = arm_nodes(skeleton, side);
+    const ArmSolution arm = solve_arm(skeleton, side, reach.parent(side), state.wrist, state.swivel);
+    pose.rotation[static_cast<size_t>(nodes.shoulder)] = arm.shoulder;
+    pose.rotation[static_cast<size_t>(nodes.elbow)] = arm.elbow;
+    pose.rotation[static_cast<size_t>(nodes.wrist)] = arm.wrist;
+    pose_hand(skeleton, side, state.angles, pose);
+  };
+  const auto locations = names_of<Location>();
+  const auto parts = names_of<HandPart>();
+  struct Row {
+    int touched = 0, strained = 0, missed = 0, out_of_reach = 0;
+    double farthest = 0.0;
+    std::string parts;
+  };
+  Row total;
+  std::string table;
+  for (size_t l = 0; l < locations.size(); ++l) {
+    const auto location = static_cast<Location>(l);
+    if (is_in_space(location)) continue;
+    Row row;
+    for (size_t h = 0; h < parts.size(); ++h) {
+      const auto part = static_cast<HandPart>(h);
+      double best = 1e9;
+      double strain = 1e9;
+      bool reachable = false;
+      for (const Direction& fingers : directions()) {
+        for (const char* letters : {"u", "r", "d", "l"}) {
+          if (best <= kTouch && strain <= kInLimits) break;
+          Posture posture;
+          posture.fingers = fingers;
+          posture.palm = notation::nearest_palm(
+              notation::palm_of(*notation::vector_of_letters(letters), to_vector(fingers)), fingers);
+          posture.location = location;
+          posture.contact = Contact{ContactKind::kTouch, part, std::nullopt};
+          OtherHand counterpart;
+          if (touches_other_arm(location)) counterpart.state = &other;
+          const PlacedHand placed = signer.place(posture, flat, Side::kRight, counterpart);
+          Pose pose = rest_pose(skeleton);
+          put(Side::kRight, placed.state, pose);
+          put(Side::kLeft, touches_other_arm(location) ? other : signer.rest(Side::kLeft), pose);
+          forward(skeleton, pose, world);
+          const Vec3 point = apply(world[static_cast<size_t>(arm_nodes(skeleton, Side::kRight).wrist)], placed.part);
+          double distance = kFarthest;
+          for (const BodyGroup group : skin_of(location))
+            if (const auto found = solids.distance(group, point, distance, world))
+              distance = std::min(distance, std::abs(*found));
+          const auto in_reach = reach.strain(Side::kRight, placed.state.wrist, placed.state.swivel);
+          reachable = reachable || in_reach;
+          const double broken = in_reach.value_or(1e9);
+          // A touch within the limits before any touch, and that before a near miss.
+          const bool better = distance <= kTouch ? best > kTouch || broken < strain : distance < best;
+          if (!better) continue;
+          best = distance;
+          strain = broken;
+        }
+      }
+      if (best <= kTouch) {
+        ++row.touched;
+        if (strain > kInLimits) ++row.strained;
+        continue;
+      }
+      ++row.missed;
+      if (!reachable) ++row.out_of_reach;
+      row.farthest = std::max(row.farthest, best);
+      row.parts += (row.parts.empty() ? "" : " ") + std::string(parts[h]);
+    }
+    char text[160];
+    std::snprintf(text, sizeof text, "%-18s %7d %8d %6d %6d %9.1f  ", std::string(locations[l]).c_str(), row.touched,
+                  row.strained, row.missed, row.out_of_reach, row.farthest * 1e3);
+    table += text + (row.touched == 0 ? "all" : row.parts) + "\n";
+    total.touched += row.touched;
+    total.strained += row.strained;
+    total.missed += row.missed;
+    total.out_of_reach += row.out_of_reach;
+  }
+  std::printf(
+      "Parts of the right hand on the skin of each place within %.0f mm; of those only with a joint beyond its range;\n"
+      "missed; of those out of the arm's reach; the farthest of the missed, mm; which are missed\n%s"
+      "%d touched, %d of them strained, %d missed, %d of them out of reach\n",
+      kTouch * 1e3, table.c_str(), total.touched, total.strained, total.missed, total.out_of_reach);
+  EXPECT_LE(total.missed - total.out_of_reach, kMissedPlaces);
+}
+
+/// What the description of a handshape says the thumb meets: digits 1 (index) to 4 (little).
+struct Pinch {
+  const char* handshape;
+  std::vector<size_t> fingers;
+};
+const std::vector<Pinch>& pinches() {
+  static const std::vector<Pinch> all = {{"round", {1, 2, 3, 4}},
+                                         {"okay", {1}},
+                                         {"perth", {2}},
+                                         {"soon", {1}},
+                                         {"ten", {2}},
+                                         {"write", {1}},
+                                         {"salt", {1, 2}},
+                                         {"animal", {2, 3}},
+                                         {"queer", {3}},
+                                         {"round_flat", {1, 2, 3, 4}},
+                                         {"okay_flat", {1}},
+                                         {"okay_f", {1}},
+                                         {"point_d", {2, 3, 4}},
+                                         {"soon_flick", {1}},
+                                         {"soon_closed", {1}},
+                                         {"ten_tip", {2}},
+                                         {"ten_flat", {2}},
+                                         {"write_flat", {1}},
+                                         {"write_flick", {1}},
+                                         {"salt_closed", {1, 2}},
+                                         {"salt_flick", {1, 2}}};
+  return all;
+}
+
+TEST(Reach, WhatPinchesClosesWithoutPressingDeep) {
+  const Figure& figure = shipped().figure;
+  const ArmNodes nodes = arm_nodes(figure.skeleton, Side::kRight);
+  std::vector<Transform> world(static_cast<size_t>(figure.skeleton.size()));
+  const auto thumb = static_cast<size_t>(nodes.digits[0][2]);
+  // The least distance of the skin of the thumb's last segment and a finger's, negative where they are in each other.
+  const auto gap = [&](size_t finger) {
+    const auto tip = static_cast<size_t>(nodes.digits[finger][2]);
+    double least = kFarthest;
+    for (const auto& [points, solid] : {std::pair{thumb, tip}, std::pair{tip, thumb}}) {
+      const Solid surface(figure.segments[solid]);
+      for (const glm::vec3& position : figure.segments[points].positions) {
+        const Vec3 p =
+            glm::conjugate(world[solid].rotation) * (apply(world[points], Vec3(position)) - world[solid].position);
+        if (const auto nearest = surface.nearest(p, kFarthest)) least = std::min(least, nearest->distance);
+      }
+    }
+    return least;
+  };
+  constexpr double kClosed = 0.002;
+  int wrong = 0;
+  std::printf("Gap of the thumb's last segment to those of the fingers that it is to meet, mm (negative: inside)\n");
+  for (const Pinch& pinch : pinches()) {
+    const Handshape handshape = shipped().lexicon->handshape(pinch.handshape).value().value();
+    Pose pose = rest_pose(figure.skeleton);
+    pose_hand(figure.skeleton, Side::kRight, hand_angles(handshape), pose);
+    forward(figure.skeleton, pose, world);
+    std::printf("  %-12s", pinch.handshape);
+    for (const size_t finger : pinch.fingers) {
+      const double found = gap(finger);
+      if (std::abs(found) > kClosed) ++wrong;
+      std::printf(" %s %5.1f%s", std::array{"thumb", "index", "middle", "ring", "little"}[finger], found * 1e3,
+                  std::abs(found) > kClosed ? "!" : "");
+    }
+    std::printf("\n");
+  }
+  std::printf("%d of them open, or pressed in, by more than %.0f mm\n", wrong, kClosed * 1e3);
+  EXPECT_LE(wrong, kOpenPinches);
+}
+
+}  // namespace
+}  // namespace auslan
