@@ -63,7 +63,7 @@ Result<NotatedSign> parse_hamnosys(std::string_view utf8) {
       symbol = find_ham_symbol(code);
     }
     if (symbol == nullptr) {
-      findings.warning(mark_at(start), "the symbol " + in_quotes(written) + " is not known and is left out");
+      findings.left_out(mark_at(start), "the symbol " + in_quotes(written) + " is not known and is left out");
       continue;
     }
     if (tokens.size() >= kMaxSymbols)

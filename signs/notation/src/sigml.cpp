@@ -29,10 +29,10 @@ void read_hns(Element& element, WrittenSign& sign) {
       child.each_child([&](Element& symbol) {
         const HamSymbol* known = find_ham_symbol(symbol.name());
         if (known == nullptr) {
-          findings.warning(symbol.mark(), "the symbol " + in_quotes(symbol.name()) + " is not known and is left out");
+          findings.left_out(symbol.mark(), "the symbol " + in_quotes(symbol.name()) + " is not known and is left out");
         } else if (tokens.size() == kMaxSymbols) {
-          findings.warning(symbol.mark(),
-                           "more than " + std::to_string(kMaxSymbols) + " symbols; the rest is left out");
+          findings.left_out(symbol.mark(),
+                            "more than " + std::to_string(kMaxSymbols) + " symbols; the rest is left out");
           tokens.push_back({known, symbol.mark()});
         } else if (tokens.size() < kMaxSymbols) {
           tokens.push_back({known, symbol.mark()});
@@ -42,11 +42,11 @@ void read_hns(Element& element, WrittenSign& sign) {
       if (tokens.size() > kMaxSymbols) tokens.resize(kMaxSymbols);
       for (const pugi::xml_node& text : child.node().children())
         if (text.type() == pugi::node_pcdata || text.type() == pugi::node_cdata)
-          findings.warning(child.mark(), "text between the symbols is left out: " + in_quotes(text.value()));
+          findings.left_out(child.mark(), "text between the symbols is left out: " + in_quotes(text.value()));
       read_tokens(tokens, child.mark(), sign, findings);
     } else {
-      findings.warning(child.mark(),
-                       "the element " + in_quotes(child.name()) + " is not known in a sign and is left out");
+      findings.left_out(child.mark(),
+                        "the element " + in_quotes(child.name()) + " is not known in a sign and is left out");
     }
   });
 }
@@ -58,8 +58,8 @@ void read_gestural(Element& element, WrittenSign& sign) {
     } else if (child.name() == "sign_manual") {
       read_manual(child, sign);
     } else {
-      child.findings().warning(child.mark(),
-                               "the element " + in_quotes(child.name()) + " is not known in a sign and is left out");
+      child.findings().left_out(child.mark(),
+                                "the element " + in_quotes(child.name()) + " is not known in a sign and is left out");
     }
   });
 }
@@ -70,7 +70,8 @@ NotatedSign read_sign(const pugi::xml_node& node, const Lines& lines) {
   WrittenSign sign;
   sign.mark = element.mark();
   sign.gloss = element.text("gloss");
-  element.not_carried({"speed", "timescale", "duration"});
+  sign.pace = read_pace(element);
+  element.not_carried({"duration"});
   element.text("gloss_language");
   element.text("sign_language");
   element.done();

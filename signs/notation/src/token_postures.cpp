@@ -41,7 +41,7 @@ void TokenReader::read_one_shape(WrittenShape& shape) {
       std::string& digits = bent && !pinch ? shape.exempt : shape.special;
       if (digits.find(last_digit) == std::string::npos) digits += last_digit;
     } else if (kind() == kFingerPart && !shape.base.empty() && !shape.thumb.empty()) {
-      findings_.warning(mark(), "the part of the finger that the thumb touches is not carried");
+      shape.thumb_contact = value();
     } else {
       break;
     }
@@ -87,7 +87,7 @@ WrittenHandSite TokenReader::read_hand_site() {
       if (site.digits.find(value()) == std::string::npos) site.digits += value();
     } else if (kind() == kFingerPart) {
       if (!site.part.empty() && site.part != value())
-        findings_.warning(mark(), "a second part of the hand at one place; " + in_quotes(value()) + " is left out");
+        findings_.left_out(mark(), "a second part of the hand at one place; " + in_quotes(value()) + " is left out");
       if (site.part.empty()) site.part = value();
     } else if (kind() == kHandSite) {
       // After a part of a finger, palm and back of the hand say on which side.
@@ -181,7 +181,7 @@ void TokenReader::read_place(WrittenPosture& posture, size_t hand, bool split) {
     ++at_;
   }
   if (site.part.empty() && site.digits.empty()) {
-    findings_.warning(start, "a side mark without a place is left out");
+    findings_.left_out(start, "a side mark without a place is left out");
     return;
   }
   if (split) {
@@ -283,7 +283,7 @@ void TokenReader::read_posture(WrittenPosture& posture, bool top) {
         posture.body[0]->with = site;
         if (!contact.empty()) posture.body[0]->contact = contact;
       } else {
-        findings_.warning(site.mark, "a part of the hand without a place to put it is left out");
+        findings_.left_out(site.mark, "a part of the hand without a place to put it is left out");
       }
       while (more() && kind() != kSequenceEnd && !action_here())
         skip("is out of order and left out");

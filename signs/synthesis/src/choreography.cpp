@@ -24,6 +24,18 @@ bool any(const BodyFeature& feature) {
   return feature.head != Vec3(0.0) || feature.trunk != Vec3(0.0) || feature.swing != Vec3(0.0);
 }
 
+/// A word of the tier of that name.
+void add_word(std::string_view tier, std::string_view word, BodyFeature& body, FaceWeights& face) {
+  if (tier == "brows") add_brows(word, face);
+  if (tier == "eyes") add_eyes(word, face);
+  if (tier == "mouth") add_mouth(word, face);
+  if (tier == "cheeks") add_cheeks(word, face);
+  if (tier == "face") add_face(word, face);
+  if (tier == "head") add_head(word, body);
+  if (tier == "shoulders") add_shoulders(word, body);
+  if (tier == "gaze") add_gaze(word, body, face);
+}
+
 /// Builds the score unit by unit.
 class Choreographer {
  public:
@@ -53,7 +65,7 @@ class Choreographer {
   void add_beats(const SignPerformance& performance, const Unit& unit);
   /// The hand shows its target from `begin` to `end`; one that it has shown until now goes on.
   void show(size_t side, const std::optional<HandTarget>& target, Tick begin, Tick end);
-  void add_mouthing(const Unit& unit, Span span);
+  void add_mouthing(const std::string& mouthing, Span span);
   void add_own_features(const Unit& unit, Span span);
   void add_spans();
   void add_features(const FaceWeights& face, const BodyFeature& body, Span span);
@@ -211,10 +223,29 @@ void Choreographer::add_own_features(const Unit& unit, Span span) {
   add_shoulders(own.shoulders, body);
   add_gaze(own.gaze, body, face);
   add_features(face, body, span);
+  for (const NonManualFeature& feature : own.more) {
+    const auto at = [&span](double share) {
+      return span.begin + static_cast<Tick>(static_cast<double>(span.end - span.begin) * share);
+    };
+    const Span part{at(feature.from), at(feature.to)};
+    if (part.end <= part.begin) continue;
+    if (feature.tier == "mouthing") {
+      if (options_.mouthing) add_mouthing(feature.word, part);
+      continue;
+    }
+    FaceWeights weights{};
+    BodyFeature turn;
+    add_word(feature.tier, feature.word, turn, weights);
+    for (float& weight : weights)
+      weight = std::min(1.0F, weight * static_cast<float>(feature.amount));
+    for (Vec3* vector : {&turn.head, &turn.trunk, &turn.swing})
+      *vector *= feature.amount;
+    add_features(weights, turn, part);
+  }
 }
 
-void Choreographer::add_mouthing(const Unit& unit, Span span) {
-  const std::vector<Viseme> visemes = visemes_of(unit.mouthing);
+void Choreographer::add_mouthing(const std::string& mouthing, Span span) {
+  const std::vector<Viseme> visemes = visemes_of(mouthing);
   if (visemes.empty() || span.end <= span.begin) return;
   const auto count = static_cast<Tick>(visemes.size());
   const Tick length = span.end - span.begin;
@@ -303,7 +334,7 @@ Result<Score> Choreographer::run() {
     const Unit& unit = utterance_.units[i];
     if (unit.mouthing.empty()) continue;
     const size_t last = std::min(i + static_cast<size_t>(std::max(1, unit.word_letters)) - 1, spans_.size() - 1);
-    add_mouthing(unit, {spans_[i].begin, spans_[last].end});
+    add_mouthing(unit.mouthing, {spans_[i].begin, spans_[last].end});
   }
   add_spans();
   const std::array<Way, 2> ways = {way_to(kLeft, low_left, Vec3(0, 0, 0.05)),

@@ -15,6 +15,7 @@ namespace auslan::stroke {
 // at least 80 ms, at letters 120 ms (reference on motion and the project's quality limits).
 inline constexpr double kSignHold = 0.11;
 inline constexpr double kLetterHold = 0.15;
+inline constexpr double kRestHold = 0.30;  ///< after a movement that is written with a rest
 inline constexpr double kShortestTransition = 0.17;
 inline constexpr double kLongestTransition = 0.45;
 inline constexpr double kFromRest = 0.50;      ///< raising the hands at the start, lowering them at the end
@@ -63,6 +64,10 @@ inline double manner_factor(Manner manner) {
       return 0.72;
     case Manner::kSharp:
       return 0.65;
+    case Manner::kTense:
+      return 1.7;
+    case Manner::kRest:
+      return 1.0;
   }
   return 1.0;
 }
