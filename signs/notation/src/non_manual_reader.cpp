@@ -95,7 +95,7 @@ const Table kHead = {{"NO", "nod"},       {"SH", "shake"},     {"SR", "turn-righ
 // Shoulder movements are met with the tags of the head's nods, too.
 const Table kShoulders = {{"UB", "raised"},       {"UL", "raised-left"},   {"UR", "raised-right"}, {"HB", "hunched"},
                           {"HL", "hunched-left"}, {"HR", "hunched-right"}, {"SB", "shrug"},        {"SL", "shrug-left"},
-                          {"SR", "shrug-right"},  {"ND", "drop"}, {"NU", "raised"}};
+                          {"SR", "shrug-right"},  {"ND", "drop"},          {"NU", "raised"}};
 const Table kBody = {{"TF", "lean-forward"}, {"TB", "lean-back"},  {"TL", "lean-left"}, {"TR", "lean-right"},
                      {"RL", "body-left"},    {"RR", "body-right"}, {"ST", "straight"},  {"SI", "sigh"},
                      {"HE", "heave"},        {"RD", "rounded"}};

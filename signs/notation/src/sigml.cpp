@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SiGML files: bounds first, then pugixml, then every sign by its kind.
+#include "converter.h"
 #include "element.h"
 #include "notation/notation.h"
 #include "token_reader.h"
@@ -64,10 +65,35 @@ void read_gestural(Element& element, WrittenSign& sign) {
   });
 }
 
-NotatedSign read_sign(const pugi::xml_node& node, const Lines& lines) {
-  Findings findings;
-  Element element(node, lines, findings);
-  WrittenSign sign;
+/// Everything in it. Bounds on depth were checked before.
+WrittenElement kept(const pugi::xml_node& node) {
+  WrittenElement element;
+  element.name = node.name();
+  for (const pugi::xml_attribute& attribute : node.attributes())
+    element.attributes.emplace_back(attribute.name(), attribute.value());
+  for (const pugi::xml_node& child : node.children()) {
+    if (child.type() == pugi::node_element) {
+      element.children.push_back(kept(child));
+    } else if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata) {
+      std::string_view text = child.value();
+      constexpr std::string_view kWhite = " \t\r\n";
+      const size_t first = text.find_first_not_of(kWhite);
+      if (first == std::string_view::npos) continue;
+      text = text.substr(first, text.find_last_not_of(kWhite) - first + 1);
+      // Text that a comment parted is one text.
+      if (!element.children.empty() && element.children.back().name.empty()) {
+        (element.children.back().text += ' ') += text;
+      } else {
+        element.children.emplace_back();
+        element.children.back().text = text;
+      }
+    }
+  }
+  return element;
+}
+
+/// False for what is no sign.
+bool read_written(Element& element, WrittenSign& sign) {
   sign.mark = element.mark();
   sign.gloss = element.text("gloss");
   sign.pace = read_pace(element);
@@ -80,25 +106,56 @@ NotatedSign read_sign(const pugi::xml_node& node, const Lines& lines) {
   } else if (element.name() == "hamgestural_sign" || element.name() == "hamgestural_segment") {
     read_gestural(element, sign);
   } else {
+    return false;
+  }
+  return true;
+}
+
+NotatedSign read_sign(const pugi::xml_node& node, const Lines& lines) {
+  Findings findings;
+  Element element(node, lines, findings);
+  WrittenSign sign;
+  if (!read_written(element, sign)) {
     NotatedSign refused;
+    refused.written = kept(node);
     refused.sign.gloss = sign.gloss.empty() ? "UNNAMED" : sign.gloss;
     findings.error(element.mark(), "the element " + in_quotes(element.name()) +
                                        " is not a sign that can be signed (expected hns_sign or hamgestural_sign)");
     refused.diagnostics = findings.take();
     return refused;
   }
-  return sign_of(sign, findings);
+  NotatedSign result = sign_of(sign, findings);
+  result.written = kept(node);
+  return result;
 }
 
+constexpr unsigned kParsed = pugi::parse_escapes | pugi::parse_wconv_attribute | pugi::parse_eol | pugi::parse_cdata;
+
 }  // namespace
+
+namespace notation {
+
+WrittenSign written_sign(const WrittenElement& element, Findings& findings) {
+  const std::string text = text_of(element);
+  WrittenSign sign;
+  const Lines lines(text);
+  pugi::xml_document document;
+  if (!document.load_buffer(text.data(), text.size(), kParsed, pugi::encoding_utf8)) {
+    findings.error({}, "the sign cannot be read again");
+    return sign;
+  }
+  Element root(document.document_element(), lines, findings);
+  read_written(root, sign);
+  return sign;
+}
+
+}  // namespace notation
 
 Result<std::vector<NotatedSign>> parse_sigml(std::string_view text, const std::string& name) {
   if (auto broken = find_broken_bound(text, name)) return tl::unexpected(*broken);
   const Lines lines(text);
   pugi::xml_document document;
-  const pugi::xml_parse_result parsed = document.load_buffer(
-      text.data(), text.size(), pugi::parse_escapes | pugi::parse_wconv_attribute | pugi::parse_eol | pugi::parse_cdata,
-      pugi::encoding_utf8);
+  const pugi::xml_parse_result parsed = document.load_buffer(text.data(), text.size(), kParsed, pugi::encoding_utf8);
   if (!parsed) {
     const size_t offset = parsed.offset > 0 ? static_cast<size_t>(parsed.offset) : 0;
     return fail(ErrorCode::kMalformed, "not well-formed XML: " + std::string(parsed.description()),

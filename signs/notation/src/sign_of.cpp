@@ -58,6 +58,9 @@ Posture Layout::posture_of(const Phase& phase, size_t which, bool symmetric) {
   // Space has a front: nothing is signed inside the chest.
   const bool in_space = posture.location >= Location::kHighNeutral && posture.location <= Location::kContraSpace;
   if (in_space) posture.offset.z = std::clamp(posture.offset.z, 0.05, 0.60);
+  // To a micrometre, as the lexicon's text has it.
+  for (glm::length_t i = 0; i < 3; ++i)
+    posture.offset[i] = std::round(posture.offset[i] * 1e6) / 1e4 / 100.0;
   return posture;
 }
 

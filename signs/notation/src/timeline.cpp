@@ -68,6 +68,8 @@ class Unroller {
     Timeline strokes;
     switch (motion.kind) {
       case WrittenMotion::Kind::kSequence:
+        if (motion.fused && motion.parts.size() > 1)
+          findings_.warning(motion.mark, "a fused sequence is signed as a plain one: with a stop between its parts");
         for (const WrittenMotion& part : motion.parts)
           append(strokes, unroll(part, hands), motion.mark);
         break;

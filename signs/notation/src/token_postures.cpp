@@ -32,6 +32,7 @@ void TokenReader::read_one_shape(WrittenShape& shape) {
     } else if (kind() == kDigit && !shape.base.empty()) {
       // A digit before or after a part of a finger: the two fingers touch or cross.
       if (kind(1) == kFingerPart && kind(2) == kDigit) {
+        shape.contact_kind = tokens_[at_ + 1].symbol->value;
         shape.crossed = value() + std::string(tokens_[at_ + 2].symbol->value);
         at_ += 3;
         continue;
@@ -46,6 +47,11 @@ void TokenReader::read_one_shape(WrittenShape& shape) {
       break;
     }
     ++at_;
+  }
+  // On a grip like a C the thumb says how far it is open.
+  if (shape.base.starts_with("cee") && shape.thumb != "out" && !shape.thumb.empty()) {
+    shape.opening = shape.thumb == "across" ? "tight" : "slack";
+    shape.thumb.clear();
   }
 }
 
@@ -94,7 +100,11 @@ WrittenHandSite TokenReader::read_hand_site() {
       if (site.part.empty() && site.digits.empty()) {
         site.part = value();
       } else {
-        site.side = value() == "palm" ? "palmar" : value() == "handback" ? "dorsal" : value();
+        site.side = value() == "palm"        ? "palmar"
+                    : value() == "handback"  ? "dorsal"
+                    : value() == "thumbside" ? "radial"
+                    : value() == "pinkyside" ? "ulnar"
+                                             : value();
       }
     } else if (kind() == kSide) {
       // Before what it belongs to the left, after it the right; a digit or part must follow or have come.

@@ -240,6 +240,9 @@ std::optional<WrittenMotion> TokenReader::read_action(int depth) {
       read_modifiers(motion);
       read_posture(motion.target, false);
       if (more() && (kind() == kManner || kind() == kGrowth)) read_modifiers(motion);
+      // A change that grows or shrinks goes from finger to finger.
+      if (!motion.growth.empty() && motion.target.shared.shape)
+        motion.target.shared.shape->successive = motion.growth == "increasing" ? "towards_pinky" : "towards_thumb";
       break;
     case kBrushing:
       findings_.left_out(mark(), "brushing without a movement is left out");

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "kinematics/result.h"
+#include "notation/written_element.h"
 #include "phonology/sign.h"
 
 #include <filesystem>
@@ -40,6 +41,7 @@ struct NotatedSign {
   Sign sign;                            ///< gloss as written, else "HAMNOSYS"
   std::vector<Handshape> handshapes;    ///< all that the sign uses, each once; ids such as "ham:finger2+thumbout"
   std::vector<Diagnostic> diagnostics;  ///< in reading order
+  WrittenElement written;               ///< all that was read (writer.h writes it again)
   bool signable = false;                ///< false: `sign` is empty of postures and an error says why
 };
 
