@@ -111,7 +111,10 @@ Result<std::string> write_hamnosys(const NotatedSign& sign) {
     if (part.name != "hamnosys_manual") continue;
     for (const WrittenElement& symbol : part.children) {
       if (symbol.name.empty()) {
+        // What is no symbol stands apart, so that it takes nothing of its neighbours.
+        out += ' ';
         out += symbol.text;
+        out += ' ';
       } else if (const HamSymbol* known = find_ham_symbol(symbol.name)) {
         append_utf8(out, known->code);
       } else {

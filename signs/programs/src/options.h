@@ -24,7 +24,8 @@ enum class Command {
   kExperiment,
   kBench,
   kAvatar,
-  kCheck
+  kCheck,
+  kNotation
 };
 
 /// What is to be signed: exactly one of these.
@@ -60,6 +61,7 @@ struct Options {
   uint64_t seed = 1;
   bool quiet = false;
   bool json = false;
+  std::string notation;  ///< for the command notation: hns, gestural, hamnosys, text; empty: only what was found
   // db
   std::vector<std::string> words;  ///< the glosses to show, the words to search
   std::string kind, category, region;
