@@ -159,6 +159,27 @@ TEST(SynthesisNotation, BothHandsOfUnlikeShapesCircleAsMirrorImages) {
   }
 }
 
+TEST(SynthesisNotation, TheFinerPlacesOfTheHeadLieWhereTheyAreNamed) {
+  const BodySites& body = shipped().signer->body();
+  const auto place = [&body](Location location) { return body.site(location, Side::kRight, Vec3(0.0), true); };
+  const auto height = [&place](Location location) { return place(location).position.y; };
+  EXPECT_GT(height(Location::kEyebrow), height(Location::kEye));
+  EXPECT_LT(height(Location::kEyebrow), height(Location::kForehead));
+  EXPECT_LT(height(Location::kNostrils), height(Location::kNose));
+  EXPECT_GT(height(Location::kNostrils), height(Location::kUpperLip));
+  EXPECT_GT(height(Location::kUpperLip), height(Location::kMouth));
+  EXPECT_GT(height(Location::kMouth), height(Location::kLowerLip));
+  EXPECT_GT(height(Location::kLowerLip), height(Location::kChin));
+  EXPECT_LT(height(Location::kEarlobe), height(Location::kEar));
+  EXPECT_NEAR(place(Location::kContraEar).position.x, -place(Location::kEar).position.x, 1e-6);
+  const Site under = place(Location::kUnderChin);
+  EXPECT_LT(under.position.y, height(Location::kChin));
+  EXPECT_GT(under.position.y, height(Location::kNeck));
+  EXPECT_LT(under.normal.y, -0.7) << "its skin faces down";
+  EXPECT_GT(height(Location::kUpperChest), height(Location::kChest));
+  EXPECT_LT(height(Location::kLowerStomach), height(Location::kStomach));
+}
+
 class NotatedCorpus : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(NotatedCorpus, EverySignIsPerformedWithoutAJump) {

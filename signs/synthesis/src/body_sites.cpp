@@ -166,8 +166,9 @@ Site BodySites::site(Location location, Side side, const Vec3& offset, bool on_s
       target = Vec3(0, face(0.05), head_z_);
       break;
     case Location::kUnderChin:
-      target = Vec3(0, face(0.05), head_z_ + 0.05);
-      from = Vec3(0, -1, 0.3);
+      // From the front and below: from right below a ray may pass through where head and neck meet.
+      target = Vec3(0, face(-0.02), head_z_ + 0.05);
+      from = Vec3(0, -1, 1);
       break;
     case Location::kNeck:
       target = Vec3(0, 0.45 * chin_y_ + 0.55 * shoulder_y, head_z_);

@@ -97,7 +97,7 @@ Site HandSites::digit_place(const Posed& posed, const DigitSite& site) const {
   const auto at = [&](double along, const Vec3& side) {
     return on_digit(posed, d, along, posed.joint[d][static_cast<size_t>(along)].rotation * side);
   };
-  constexpr double kEnd = 2.7, kMiddle = 1.0, kBase = 0.1, kLength = 1.5;
+  constexpr double kEnd = 2.7, kMid = 1.0, kBase = 0.1, kLength = 1.5;
   const Vec3 &palm = frame_.palm, &radial = frame_.radial;
   switch (site.feature) {
     case DigitFeature::kTip:
@@ -111,13 +111,13 @@ Site HandSites::digit_place(const Posed& posed, const DigitSite& site) const {
     case DigitFeature::kTipUlnar:
       return at(kEnd, -radial);
     case DigitFeature::kMidPalmar:
-      return at(kMiddle, palm);
+      return at(kMid, palm);
     case DigitFeature::kMidDorsal:
-      return at(kMiddle, -palm);
+      return at(kMid, -palm);
     case DigitFeature::kMidRadial:
-      return at(kMiddle, radial);
+      return at(kMid, radial);
     case DigitFeature::kMidUlnar:
-      return at(kMiddle, -radial);
+      return at(kMid, -radial);
     case DigitFeature::kBasePalmar:
       return at(kBase, palm);
     case DigitFeature::kBaseDorsal:
