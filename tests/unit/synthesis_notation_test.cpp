@@ -180,6 +180,35 @@ TEST(SynthesisNotation, TheFinerPlacesOfTheHeadLieWhereTheyAreNamed) {
   EXPECT_LT(height(Location::kLowerStomach), height(Location::kStomach));
 }
 
+TEST(SynthesisNotation, HandsThatTapInTurnAreNotOutAtOnce) {
+  auto notated = parse_hamnosys(
+      "hamsymmlr,hamparbegin,hamfist,hamplus,hamflathand,hamparend,hamextfingero,hampalmd,"
+      "hamshoulders");
+  ASSERT_TRUE(notated);
+  Movement tap;
+  tap.kind = MoveKind::kTap;
+  tap.repeats = 2;
+  tap.hands = MovingHands::kAlternating;
+  notated->sign.movements = {tap};
+  const Score score = score_of_sign(*notated).value();
+  const auto turns = [&score](size_t side) {
+    int count = 0;
+    for (const HandSegment& segment : score.hands[side])
+      count += segment.begin >= score.glosses.front().begin && segment.end <= score.glosses.front().end &&
+               length(segment.to.wrist.position - segment.from.wrist.position) > 0.01;
+    return count;
+  };
+  EXPECT_EQ(turns(kRight), 3) << "in, out, in: the way to the sign ends before the first tap";
+  EXPECT_EQ(turns(kLeft), 4);
+  for (size_t i = 0; i < score.hands[kRight].size() && i < score.hands[kLeft].size(); ++i) {
+    const HandSegment &right = score.hands[kRight][i], &left = score.hands[kLeft][i];
+    if (right.begin < score.glosses.front().begin || right.end > score.glosses.front().end) continue;
+    const double r = (right.to.wrist.position - right.from.wrist.position).y,
+                 l = (left.to.wrist.position - left.from.wrist.position).y;
+    EXPECT_LE(r * l, 1e-12) << "segment " << i << ": both the same way";
+  }
+}
+
 class NotatedCorpus : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(NotatedCorpus, EverySignIsPerformedWithoutAJump) {

@@ -486,6 +486,18 @@ void SignBuilder::add_tap(const Movement& movement, size_t phase) {
   const double time = (0.10 + 1.0 * reach) * stroke::manner_factor(movement.manner) / movement.pace;
   // At the beginning the transition ends before the contact, so that the contact itself is a stroke.
   const bool first = result_.beats.empty();
+  if (has_base_ && movement.hands == MovingHands::kAlternating) {
+    // The other hand goes out while this one comes in.
+    const std::array<HandSegment, 2> still = plain(phase, phase);
+    const int begin = first ? 1 : 0, end = 2 * repeats;
+    for (int i = begin; i <= end; ++i) {
+      std::array<HandSegment, 2> hands;
+      hands[kRight] = i == end ? still[kRight] : (i % 2 == 0 ? out : in)[kRight];
+      hands[kLeft] = i == begin && i % 2 == 0 ? still[kLeft] : (i % 2 == 0 ? in : out)[kLeft];
+      push(time, false, hands, phase, phase);
+    }
+    return;
+  }
   for (int i = 0; i < repeats; ++i) {
     if (i > 0 || !first) push(time, false, out, phase, phase);
     push(time, false, in, phase, phase);
