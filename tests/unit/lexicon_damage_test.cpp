@@ -163,11 +163,20 @@ INSTANTIATE_TEST_SUITE_P(
         Forgery{"HugePhase", "UPDATE movement SET to_phase = 4000000000"},
         Forgery{"ManyRepeats", "UPDATE movement SET repeats = 1000000"},
         Forgery{"UnknownMove", "UPDATE movement SET kind = 'teleport'"},
-        Forgery{"ManyMoves",
-                "WITH RECURSIVE c(i) AS (SELECT 100 UNION ALL SELECT i + 1 FROM c WHERE i < 300) INSERT INTO movement "
-                "SELECT "
-                "gloss, i, kind, direction, size, repeats, hands, manner, plane, from_phase, to_phase FROM movement, c "
-                "WHERE position = 0"},
+        Forgery{
+            "ManyMoves",
+            "WITH RECURSIVE c(i) AS (SELECT 100 UNION ALL SELECT i + 1 FROM c WHERE i < 500) INSERT INTO movement "
+            "SELECT "
+            "gloss, i, kind, direction, size, repeats, hands, manner, plane, bow, start, eighths, ellipse, flattening, "
+            "growth, digits, pace, from_phase, to_phase FROM movement, c "
+            "WHERE position = 0"},
+        Forgery{"UnknownBow", "UPDATE movement SET bow = 'sideways'"},
+        Forgery{"TooManyEighths", "UPDATE movement SET eighths = 1000"},
+        Forgery{"NoPace", "UPDATE movement SET pace = 0.0"},
+        Forgery{"UnknownTier",
+                "INSERT INTO feature SELECT gloss, 0, 'ears', 'wide', 0.0, 1.0, 1.0 FROM sign WHERE position = 0"},
+        Forgery{"FeatureBackwards",
+                "INSERT INTO feature SELECT gloss, 0, 'brows', 'raise', 0.9, 0.1, 1.0 FROM sign WHERE position = 0"},
         Forgery{"UnknownHandedness", "UPDATE sign SET handedness = 'three'"},
         Forgery{"UnknownKind", "UPDATE sign SET kind = 'dance'"},
         Forgery{"LongText", "UPDATE sign SET definition = hex(zeroblob(100000))"},

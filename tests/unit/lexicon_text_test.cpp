@@ -181,7 +181,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "plane = \"up_down\", from = 1, to = 0", "out of range"},
         Mistake{"NegativePhase", kSigns, "plane = \"up_down\", from = 0, to = 1",
                 "plane = \"up_down\", from = -1, to = 1", "expected an integer from 0"},
-        Mistake{"NoRepeats", kSigns, "repeats = 3", "repeats = 0", "expected an integer from 1 to 10"},
+        Mistake{"NoRepeats", kSigns, "repeats = 3", "repeats = 0", "expected an integer from 1 to 24"},
         Mistake{"PathWithoutDirection", kSigns, "kind = \"straight\", direction = \"left-down\"", "kind = \"straight\"",
                 "needs a direction"},
         Mistake{"UnknownFaceWord", kSigns, "brows = \"furrow\"", "brows = \"frown\"",

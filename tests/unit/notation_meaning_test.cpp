@@ -234,9 +234,25 @@ TEST(NotationMeaning, StraightMovementsGoWhereTheyPoint) {
   EXPECT_EQ(ham(kFlat + "hammovel,hamfast").sign.movements[0].manner, Manner::kFast);
   EXPECT_EQ(ham(kFlat + "hammovel,hamslow").sign.movements[0].manner, Manner::kSlow);
   EXPECT_EQ(ham(kFlat + "hammovel,hamhalt").sign.movements[0].manner, Manner::kSharp);
-  // An arc that the model would turn over is told.
-  EXPECT_FALSE(warned(ham(kFlat + "hammovel,hamarcu")));
-  EXPECT_TRUE(warned(ham(kFlat + "hammovel,hamarcd")));
+}
+
+TEST(NotationMeaning, ArcsBowWhereTheyAreWritten) {
+  // Letters of a bow are read on a movement away from the signer; every other movement carries them with it by the
+  // shortest turn.
+  const auto bow = [](const std::string& symbols) { return ham(kFlat + "hamchest," + symbols).sign.movements[0].bow; };
+  EXPECT_EQ(bow("hammoveo,hamarcu"), (Direction{0, 1, 0}));
+  EXPECT_EQ(bow("hammoveo,hamarcd"), (Direction{0, -1, 0}));
+  EXPECT_EQ(bow("hammoveo,hamarcl"), (Direction{1, 0, 0}));
+  EXPECT_EQ(bow("hammoveo,hamarcr"), (Direction{-1, 0, 0}));
+  EXPECT_EQ(bow("hammovei,hamarcl"), (Direction{1, 0, 0})) << "towards the signer the bow stays literal";
+  EXPECT_EQ(bow("hammovel,hamarcd"), (Direction{0, -1, 0})) << "a level turn leaves up and down";
+  EXPECT_EQ(bow("hammoveu,hamarcu"), (Direction{0, 0, -1})) << "turned up, the top of the way is towards the signer";
+  for (const char* symbols : {"hammovel,hamarcd", "hammoveu,hamarcr", "hammoveui,hamarcl"})
+    EXPECT_FALSE(warned(ham(kFlat + symbols))) << symbols;
+  const NotatedSign waved = ham(kFlat + "hamchest,hammover,hamarcd,hamwavy,hamsmallmod");
+  ASSERT_EQ(waved.sign.movements.size(), 2u) << "an arc, and the waves on it";
+  EXPECT_EQ(waved.sign.movements[0].bow, (Direction{0, -1, 0}));
+  EXPECT_EQ(waved.sign.movements[1].size, Size::kSmall);
 }
 
 TEST(NotationMeaning, CirclesKeepTheirAxis) {
@@ -245,18 +261,119 @@ TEST(NotationMeaning, CirclesKeepTheirAxis) {
   ASSERT_EQ(out.sign.movements.size(), 1u);
   EXPECT_EQ(out.sign.dominant.size(), 1u) << "a circle comes back to where it began";
   EXPECT_EQ(out.sign.movements[0].kind, MoveKind::kCircle);
-  EXPECT_EQ(out.sign.movements[0].plane, Plane::kFrontal);
   EXPECT_EQ(*out.sign.movements[0].direction, (Direction{0, 0, 1}));
   EXPECT_EQ(*in.sign.movements[0].direction, (Direction{0, 0, -1}));
-  EXPECT_EQ(up.sign.movements[0].plane, Plane::kHorizontal);
-  EXPECT_EQ(left.sign.movements[0].plane, Plane::kSagittal);
-  EXPECT_TRUE(warned(in)) << "the opposite sense is not silent";
-  EXPECT_FALSE(warned(out));
+  EXPECT_EQ(*up.sign.movements[0].direction, (Direction{0, 1, 0}));
+  EXPECT_EQ(*left.sign.movements[0].direction, (Direction{1, 0, 0}));
+  EXPECT_EQ(*circle("ul").sign.movements[0].direction, (Direction{1, 1, 0}));
+  for (const char* axis :
+       {"o", "i", "u", "d", "l", "r", "ul", "dr", "ur", "dl", "ol", "ir", "or", "il", "ui", "do", "uo", "di"})
+    EXPECT_FALSE(warned(circle(axis))) << axis;
+}
+
+TEST(NotationMeaning, CirclesStartAndEndByTheClock) {
+  const auto sign = [](const std::string& symbols) { return ham(kFlat + "hamchest," + symbols).sign; };
+  // About the direction away from the signer a circle goes clockwise as the signer sees it: from the top to the right.
+  const Sign quarter = sign("hamcircleo,hamclocku,hamclockr");
+  ASSERT_EQ(quarter.dominant.size(), 2u) << "a part of a circle ends elsewhere";
+  EXPECT_EQ(quarter.movements[0].start, (Direction{0, 1, 0}));
+  EXPECT_EQ(quarter.movements[0].eighths, 2);
+  const Vec3 by = quarter.dominant[1].offset - quarter.dominant[0].offset;
+  EXPECT_LT(by.x, -0.01) << "to the right";
+  EXPECT_NEAR(by.x, by.y, 1e-12) << "and as far down";
+  EXPECT_EQ(sign("hamcirclei,hamclocku,hamclockl").movements[0].eighths, 2) << "the other way round";
+  EXPECT_EQ(sign("hamcirclei,hamclocku,hamclockr").movements[0].eighths, 6);
+  EXPECT_EQ(sign("hamcircleo,hamclockd").movements[0].start, (Direction{0, -1, 0}));
+  EXPECT_EQ(sign("hamcircleo,hamclockd").movements[0].eighths, 8) << "a start alone: once round";
+  EXPECT_EQ(sign("hamcircleo,hamclocku,hamclockr,hamclockfull").movements[0].eighths, 10) << "once more round";
+  const Sign ellipse = sign("hamcircleo,hamellipsev,hamlargemod");
+  EXPECT_EQ(ellipse.movements[0].ellipse, (Direction{0, 1, 0}));
+  EXPECT_EQ(ellipse.movements[0].flattening, Size::kLarge);
+  EXPECT_EQ(sign("hamcircleo,hamincreasing").movements[0].growth, Growth::kIncreasing);
+}
+
+TEST(NotationMeaning, TheOtherHandHasItsOwnAxis) {
+  // Two hands in different shapes are no mirror images; a circle of both is mirrored all the same, with its sense.
+  const NotatedSign sign =
+      ham("hamsymmlr,hamparbegin,hamfist,hamplus,hamflathand,hamparend,hamextfingeru,hampalml,hamchest,hamcircleo");
+  ASSERT_EQ(sign.sign.handedness, Handedness::kDominantBase);
+  ASSERT_EQ(sign.sign.movements.size(), 2u);
+  EXPECT_EQ(sign.sign.movements[0].hands, MovingHands::kDominant);
+  EXPECT_EQ(sign.sign.movements[0].direction, (Direction{0, 0, 1}));
+  EXPECT_EQ(sign.sign.movements[1].hands, MovingHands::kNonDominant);
+  EXPECT_EQ(sign.sign.movements[1].direction, (Direction{0, 0, -1}));
+}
+
+TEST(NotationMeaning, DirectionsBetweenTheTwentySixAreExact) {
+  const Posture posture = first(ham("hamflathand,hamextfingeru,hambetween,hamextfingerul,hampalmd"));
+  const double eighth = 22.5 * 3.14159265358979323846 / 180.0;
+  const Vec3 v = to_vector(posture.fingers);
+  EXPECT_NEAR(v.x, std::sin(eighth), 1e-3);
+  EXPECT_NEAR(v.y, std::cos(eighth), 1e-3);
+  EXPECT_NEAR(v.z, 0, 1e-12);
+  // The bearing is to the left, so that a palm down stays in the plane of the fingers: left and down, across them.
+  const Vec3 palm = to_vector(posture.palm) - v * glm::dot(v, to_vector(posture.palm));
+  EXPECT_NEAR(palm.x * std::sin(eighth) + palm.y * std::cos(eighth), 0, 1e-3);
+  EXPECT_GT(palm.x, 0);
+  EXPECT_NEAR(palm.z, 0, 1e-3);
+}
+
+TEST(NotationMeaning, EveryPlaceOnADigitHasItsName) {
+  const auto touched = [](const std::string& site) {
+    return first(ham("hamflathand,hamextfingeru,hampalmd," + site + ",hamforehead,hamtouch")).contact->part;
+  };
+  EXPECT_EQ(touched("hamindexfinger,hamfingernail"), hand_part({1, DigitFeature::kNail}));
+  EXPECT_EQ(touched("hammiddlefinger,hamfingerpad"), hand_part({2, DigitFeature::kTipPad}));
+  EXPECT_EQ(touched("hamthumb,hamfingermidjoint"), hand_part({0, DigitFeature::kMidDorsal}));
+  EXPECT_EQ(touched("hampinky,hamfingerbase,hampalm"), hand_part({4, DigitFeature::kBasePalmar}));
+  // The thumb of a right hand that is held up with its palm away is on the left.
+  const auto on_side = [](const std::string& side, const std::string& palm) {
+    const NotatedSign sign = gestural("<handconfig handshape=\"flat\" extfidir=\"u\" palmor=\"" + palm +
+                                      "\"/><location_bodyarm location=\"chin\" contact=\"touch\"><location_hand "
+                                      "location=\"midjoint\" digits=\"2\" side=\"" +
+                                      side + "\"/></location_bodyarm>");
+    return first(sign).contact->part;
+  };
+  EXPECT_EQ(on_side("left_beside", "d"), hand_part({1, DigitFeature::kMidRadial}));
+  EXPECT_EQ(on_side("right_beside", "d"), hand_part({1, DigitFeature::kMidUlnar}));
+  EXPECT_EQ(on_side("left_beside", "u"), hand_part({1, DigitFeature::kMidUlnar})) << "palm to the signer: turned round";
+  EXPECT_EQ(on_side("left_beside", "l"), hand_part({1, DigitFeature::kMidPalmar})) << "the palm itself faces left";
+}
+
+TEST(NotationMeaning, SeveralFeaturesOfATierHaveTheirTimes) {
+  const NotatedSign sign =
+      gestural("<handconfig handshape=\"flat\" extfidir=\"u\" palmor=\"d\"/>", "",
+               "<sign_nonmanual><head_tier><head_movement movement=\"NO\"/><head_movement movement=\"SH\"/></head_tier>"
+               "<facialexpr_tier><facial_expr_par><eye_brows movement=\"RR\" amount=\"0.5\"/><eye_lids "
+               "movement=\"WB\"/></facial_expr_par></facialexpr_tier></sign_nonmanual>");
+  const NonManual& face = sign.sign.non_manual;
+  ASSERT_EQ(face.more.size(), 3u);
+  EXPECT_EQ(face.more[0], (NonManualFeature{"head", "nod", 0, 0.5, 1})) << "one after another";
+  EXPECT_EQ(face.more[1], (NonManualFeature{"head", "shake", 0.5, 1, 1}));
+  EXPECT_EQ(face.more[2], (NonManualFeature{"brows", "raise-right", 0, 1, 0.5}));
+  EXPECT_EQ(face.eyes, "wide") << "at the same time, for the whole sign";
+  EXPECT_TRUE(nothing_left_out(sign.diagnostics));
+}
+
+TEST(NotationMeaning, RepetitionsMayMoveOn) {
+  const NotatedSign sign = gestural(
+      "<handconfig handshape=\"flat\" extfidir=\"u\" palmor=\"d\"/><location_bodyarm location=\"chest\"/>"
+      "<rpt_motion repetition=\"fromstart_several\" repetition_baseshift=\"r\"><directedmotion direction=\"d\" "
+      "size=\"small\"/></rpt_motion>");
+  // Down, back up and to the right, down …
+  ASSERT_EQ(sign.sign.dominant.size(), 6u);
+  for (size_t i = 0; i < 3; ++i) {
+    const Vec3 start = sign.sign.dominant[2 * i].offset, end = sign.sign.dominant[2 * i + 1].offset;
+    EXPECT_NEAR(start.x, sign.sign.dominant[0].offset.x - 0.06 * static_cast<double>(i), 1e-12);
+    EXPECT_NEAR(start.y, sign.sign.dominant[0].offset.y, 1e-12);
+    EXPECT_NEAR(end.y - start.y, -0.06, 1e-12);
+  }
 }
 
 TEST(NotationMeaning, LocalMovements) {
   const std::pair<const char*, MoveKind> moves[] = {
-      {"hamfingerplay", MoveKind::kWiggle}, {"hamnodding", MoveKind::kNod}, {"hamtwisting", MoveKind::kTwist}};
+      {"hamfingerplay", MoveKind::kWiggle}, {"hamnodding", MoveKind::kNod}, {"hamtwisting", MoveKind::kTwist},
+      {"hamswinging", MoveKind::kSwing},    {"hamstircw", MoveKind::kStir}, {"hamstirccw", MoveKind::kStir}};
   for (const auto& [symbol, kind] : moves) {
     const NotatedSign sign = ham(kFlat + "hamchest," + symbol);
     ASSERT_EQ(sign.sign.movements.size(), 1u) << symbol;
@@ -264,11 +381,10 @@ TEST(NotationMeaning, LocalMovements) {
     EXPECT_EQ(sign.sign.movements[0].from, sign.sign.movements[0].to) << symbol;
     EXPECT_FALSE(warned(sign)) << symbol;
   }
-  for (const char* symbol : {"hamswinging", "hamstircw", "hamstirccw"}) {
-    const NotatedSign sign = ham(kFlat + "hamchest," + symbol);
-    EXPECT_EQ(sign.sign.movements.size(), 1u) << symbol;
-    EXPECT_TRUE(warned(sign)) << symbol << " is carried by something else";
-  }
+  EXPECT_NE(ham(kFlat + "hamstircw").sign.movements[0].plane, ham(kFlat + "hamstirccw").sign.movements[0].plane);
+  EXPECT_EQ(ham(kFlat + "hamfingerplay,hamindexfinger,hampinky").sign.movements[0].digits, "25");
+  EXPECT_EQ(ham(kFlat + "hammovel,hamtense").sign.movements[0].manner, Manner::kTense);
+  EXPECT_EQ(ham(kFlat + "hammovel,hamrest").sign.movements[0].manner, Manner::kRest);
 }
 
 TEST(NotationMeaning, ReplaceChangesThePosture) {

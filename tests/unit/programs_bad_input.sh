@@ -109,6 +109,15 @@ case_unknown_output_format() {
   run render hurt -o x && refused 2 '\.(png|mp4|gif|y4m)'
   run motion hurt -o x.nosuch && refused 2 '\.(jsonl|bvh)'
 }
+case_notation() {
+  run notation && refused 2 'FILE'
+  run notation x.sigml --hamnosys hamflathand && refused 2 'one FILE'
+  run notation --hamnosys hamflathand --to nosuch && refused 2 'nosuch'
+  run notation --hamnosys hamflathand -o x.sigml && refused 2 '--to'
+  run notation --hamnosys nothing && refused 1 'HamNoSys symbol'
+  run notation nosuch.sigml && refused 1 'nosuch\.sigml'
+  run notation --hamnosys hamflathand --to hns -o nowhere/x.sigml && refused 1 'nowhere'
+}
 case_unknown_gloss() {
   run render --gloss NO-SUCH-GLOSS "${picture[@]}" && refused 1 'NO-SUCH-GLOSS'
   run db show NO-SUCH-GLOSS && refused 1 'NO-SUCH-GLOSS'

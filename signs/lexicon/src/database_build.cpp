@@ -123,8 +123,36 @@ Result<void> insert_moves(Statement& row, const Sign& sign) {
     row.bind(to_name(move.hands));
     row.bind(to_name(move.manner));
     row.bind(to_name(move.plane));
+    const auto optional_direction = [&row](const std::optional<Direction>& direction) {
+      if (direction)
+        row.bind(std::string_view(to_name(*direction)));
+      else
+        row.bind_null();
+    };
+    optional_direction(move.bow);
+    optional_direction(move.start);
+    row.bind(move.eighths);
+    optional_direction(move.ellipse);
+    row.bind(to_name(move.flattening));
+    row.bind(to_name(move.growth));
+    row.bind(std::string_view(move.digits));
+    row.bind(move.pace);
     row.bind(move.from);
     row.bind(move.to);
+    AUSLAN_TRY(row.run());
+  }
+  return {};
+}
+
+Result<void> insert_features(Statement& row, const Sign& sign) {
+  int position = 0;
+  for (const NonManualFeature& feature : sign.non_manual.more) {
+    row.bind(std::string_view(sign.gloss));
+    row.bind(position++);
+    row.bind(std::string_view(feature.tier));
+    row.bind(std::string_view(feature.word));
+    for (const double value : {feature.from, feature.to, feature.amount})
+      row.bind(value);
     AUSLAN_TRY(row.run());
   }
   return {};
@@ -133,7 +161,9 @@ Result<void> insert_moves(Statement& row, const Sign& sign) {
 Result<void> insert_signs(sqlite3* db, const LexiconText& text) {
   Result<Statement> sign_row = insert_into(db, "sign", 23);
   Result<Statement> posture_row = insert_into(db, "posture", 13);
-  Result<Statement> move_row = insert_into(db, "movement", 11);
+  Result<Statement> move_row = insert_into(db, "movement", 19);
+  Result<Statement> feature_row = insert_into(db, "feature", 7);
+  if (!feature_row) return tl::unexpected(feature_row.error());
   if (!sign_row) return tl::unexpected(sign_row.error());
   if (!posture_row) return tl::unexpected(posture_row.error());
   if (!move_row) return tl::unexpected(move_row.error());
@@ -153,6 +183,7 @@ Result<void> insert_signs(sqlite3* db, const LexiconText& text) {
     AUSLAN_TRY(insert_postures(*posture_row, sign.gloss, "dominant", sign.dominant));
     AUSLAN_TRY(insert_postures(*posture_row, sign.gloss, "base", sign.non_dominant));
     AUSLAN_TRY(insert_moves(*move_row, sign));
+    AUSLAN_TRY(insert_features(*feature_row, sign));
   }
   return {};
 }

@@ -7,7 +7,7 @@ namespace auslan {
 namespace {
 
 constexpr size_t kMaxRows = 100000;
-constexpr size_t kMaxParts = 64;
+constexpr size_t kMaxParts = 256;
 
 tl::unexpected<Error> damaged(const std::string& entry, const std::string& what) {
   return fail(ErrorCode::kMalformed, entry + " is damaged in the database (" + what + "); rebuild it from the text");
@@ -108,7 +108,7 @@ Result<void> read_postures(sqlite3* db, Sign& sign) {
       sign.gloss, sign.gloss, kMaxParts, [&sign](Row& row) {
         const std::string hand = row.text();
         std::vector<Posture>& phases = hand == "base" ? sign.non_dominant : sign.dominant;
-        const int phase = row.integer(0, 63);
+        const int phase = row.integer(0, 95);
         Posture posture;
         posture.handshape = row.text();
         posture.fingers = row.direction();
@@ -128,21 +128,44 @@ Result<void> read_postures(sqlite3* db, Sign& sign) {
 }
 
 Result<void> read_moves(sqlite3* db, Sign& sign) {
-  return each_row(db,
-                  "SELECT kind, direction, size, repeats, hands, manner, plane, from_phase, to_phase FROM movement "
-                  "WHERE gloss = ?1 ORDER BY position",
+  return each_row(
+      db,
+      "SELECT kind, direction, size, repeats, hands, manner, plane, bow, start, eighths, ellipse, flattening, "
+      "growth, digits, pace, from_phase, to_phase FROM movement "
+      "WHERE gloss = ?1 ORDER BY position",
+      sign.gloss, sign.gloss, kMaxParts, [&sign](Row& row) {
+        Movement move;
+        move.kind = row.word<MoveKind>();
+        move.direction = row.optional_direction();
+        move.size = row.word<Size>();
+        move.repeats = row.integer(1, 24);
+        move.hands = row.word<MovingHands>();
+        move.manner = row.word<Manner>();
+        move.plane = row.word<Plane>();
+        move.bow = row.optional_direction();
+        move.start = row.optional_direction();
+        move.eighths = row.integer(1, 64);
+        move.ellipse = row.optional_direction();
+        move.flattening = row.word<Size>();
+        move.growth = row.word<Growth>();
+        move.digits = row.text();
+        move.pace = row.real();
+        move.from = row.integer(0, 95);
+        move.to = row.integer(0, 95);
+        sign.movements.push_back(move);
+        return true;
+      });
+}
+
+Result<void> read_features(sqlite3* db, Sign& sign) {
+  return each_row(db, "SELECT tier, word, from_share, to_share, amount FROM feature WHERE gloss = ?1 ORDER BY position",
                   sign.gloss, sign.gloss, kMaxParts, [&sign](Row& row) {
-                    Movement move;
-                    move.kind = row.word<MoveKind>();
-                    move.direction = row.optional_direction();
-                    move.size = row.word<Size>();
-                    move.repeats = row.integer(1, 10);
-                    move.hands = row.word<MovingHands>();
-                    move.manner = row.word<Manner>();
-                    move.plane = row.word<Plane>();
-                    move.from = row.integer(0, 63);
-                    move.to = row.integer(0, 63);
-                    sign.movements.push_back(move);
+                    NonManualFeature feature;
+                    feature.tier = row.text();
+                    feature.word = row.text();
+                    for (double* value : {&feature.from, &feature.to, &feature.amount})
+                      *value = row.real();
+                    sign.non_manual.more.push_back(std::move(feature));
                     return true;
                   });
 }
@@ -174,6 +197,7 @@ Result<std::optional<Sign>> read_sign_row(sqlite3* db, std::string_view gloss) {
   if (!found) return std::optional<Sign>();
   if (outcome = read_postures(db, *found); !outcome) return tl::unexpected(outcome.error());
   if (outcome = read_moves(db, *found); !outcome) return tl::unexpected(outcome.error());
+  if (outcome = read_features(db, *found); !outcome) return tl::unexpected(outcome.error());
   std::vector<Finding> findings = check_sign(*found);
   return whole(std::move(*found), std::move(findings), name);
 }

@@ -14,8 +14,9 @@
 namespace auslan {
 namespace {
 
-constexpr size_t kMaxPhases = 12;
-constexpr size_t kMaxMoves = 24;
+constexpr size_t kMaxPhases = 96;
+constexpr size_t kMaxMoves = 200;
+constexpr size_t kMaxFeatures = 64;
 constexpr size_t kMaxDefinition = 600;
 constexpr double kMaxOffset = 0.6;  // metres: no hand is further from its site
 constexpr std::array<std::string_view, 3> kKinds = {"sign", "letter", "number"};
@@ -117,14 +118,28 @@ void check_face(const NonManual& face, Findings& findings) {
       findings.add("face",
                    std::string(tier_name(channel)) + " is \"" + *words[i] + "\", which is not in the vocabulary");
   }
+  findings.require(face.more.size() <= kMaxFeatures, "face", "more than 64 features in parts of the sign");
+  for (const NonManualFeature& feature : face.more) {
+    bool known = feature.tier == "mouthing" && !feature.word.empty();
+    for (size_t i = 0; i < words.size(); ++i)
+      known = known || (feature.tier == tier_name(static_cast<FaceTier>(i)) && !feature.word.empty() &&
+                        is_face_word(static_cast<FaceTier>(i), feature.word));
+    if (!known)
+      findings.add("face", "the feature " + feature.tier + " \"" + feature.word + "\" is not in the vocabulary");
+    findings.require(feature.from >= 0 && feature.from <= feature.to && feature.to <= 1, "face",
+                     "a feature's from and to; expected shares of the sign's time, 0 to 1");
+    findings.require(feature.amount >= 0 && feature.amount <= 4, "face", "a feature's amount; expected 0 to 4");
+  }
 }
 
 /// The palm must face across the fingers: between 53 and 127 degrees from them. Nearer than that the two directions say
 /// nothing about the turn of the forearm that could be trusted.
 bool is_across(const Direction& a, const Direction& b) {
-  const int dot = a.left * b.left + a.up * b.up + a.away * b.away;
-  const int length_a = a.left * a.left + a.up * a.up + a.away * a.away;
-  const int length_b = b.left * b.left + b.up * b.up + b.away * b.away;
+  const auto product = [](const Direction& one, const Direction& two) {
+    return static_cast<double>(one.left) * two.left + static_cast<double>(one.up) * two.up +
+           static_cast<double>(one.away) * two.away;
+  };
+  const double dot = product(a, b), length_a = product(a, a), length_b = product(b, b);
   return length_a > 0 && length_b > 0 && 100 * dot * dot <= 36 * length_a * length_b;
 }
 
@@ -145,7 +160,7 @@ void check_hands(const Sign& sign, Findings& findings) {
   const bool mirrored = sign.handedness == Handedness::kSymmetric || sign.handedness == Handedness::kAlternating;
   const size_t phases = sign.dominant.size();
   const size_t base = sign.non_dominant.size();
-  findings.require(phases >= 1 && phases <= kMaxPhases, "dominant", "expected 1 to 12 phases of the dominant hand");
+  findings.require(phases >= 1 && phases <= kMaxPhases, "dominant", "expected 1 to 96 phases of the dominant hand");
   if (one) findings.require(base == 0, "base", "a one-handed sign has no base hand");
   if (mirrored)
     findings.require(base == 0, "base", "the other hand of a symmetric sign is its mirror image: leave base out");
@@ -171,7 +186,7 @@ void check_hands(const Sign& sign, Findings& findings) {
 
 void check_moves(const Sign& sign, Findings& findings) {
   using enum MoveKind;
-  findings.require(sign.movements.size() <= kMaxMoves, "moves", "more than 24 movements");
+  findings.require(sign.movements.size() <= kMaxMoves, "moves", "more than 200 movements");
   const int phases = static_cast<int>(sign.dominant.size());
   for (size_t i = 0; i < sign.movements.size(); ++i) {
     const Movement& move = sign.movements[i];
@@ -180,7 +195,11 @@ void check_moves(const Sign& sign, Findings& findings) {
       findings.add(part, "from " + std::to_string(move.from) + " to " + std::to_string(move.to) +
                              " is out of range; expected 0 <= from <= to < " + std::to_string(phases) +
                              ", the number of phases");
-    findings.require(move.repeats >= 1 && move.repeats <= 10, part, "repeats; expected 1 to 10");
+    findings.require(move.repeats >= 1 && move.repeats <= 24, part, "repeats; expected 1 to 24");
+    findings.require(move.eighths >= 1 && move.eighths <= 64, part, "eighths of a turn; expected 1 to 64");
+    findings.require(move.pace >= 0.1 && move.pace <= 10, part, "pace; expected 0.1 to 10");
+    findings.require(move.digits.find_first_not_of("12345") == std::string::npos && move.digits.size() <= 5, part,
+                     "digits; expected some of 1 (the thumb) to 5 (the little finger)");
     const bool path = move.kind == kStraight || move.kind == kArc || move.kind == kZigzag || move.kind == kWavy;
     if (path && move.from == move.to)
       findings.require(move.direction.has_value(), part, "a path within one phase needs a direction");

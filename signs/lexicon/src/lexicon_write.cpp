@@ -134,6 +134,14 @@ std::string move_text(const Movement& move, Handedness handedness) {
   if (move.hands != usual_hands(handedness)) table.add_text("hands", to_name(move.hands));
   if (move.manner != Manner::kPlain) table.add_text("manner", to_name(move.manner));
   if (move.plane != Plane::kNone) table.add_text("plane", to_name(move.plane));
+  if (move.bow) table.add_text("bow", to_name(*move.bow));
+  if (move.start) table.add_text("start", to_name(*move.start));
+  if (move.eighths != 8) table.add("eighths", std::to_string(move.eighths));
+  if (move.ellipse) table.add_text("ellipse", to_name(*move.ellipse));
+  if (move.flattening != Size::kMedium) table.add_text("flattening", to_name(move.flattening));
+  if (move.growth != Growth::kNone) table.add_text("growth", to_name(move.growth));
+  table.add_text("digits", move.digits);
+  if (move.pace != 1) table.add("pace", decimal(move.pace));
   table.add("from", std::to_string(move.from));
   table.add("to", std::to_string(move.to));
   return table.str();
@@ -172,6 +180,21 @@ void write_sign(std::string& out, const Sign& sign, const std::vector<std::strin
                                                             &nm.head,  &nm.shoulders, &nm.gaze,  &nm.face};
   for (size_t i = 0; i < words.size(); ++i)
     face.add_text(tier_name(static_cast<FaceTier>(i)), *words[i]);
+  if (!nm.more.empty()) {
+    std::string list = "[";
+    for (const NonManualFeature& feature : nm.more) {
+      InlineTable table;
+      table.add_text("tier", feature.tier);
+      table.add_text("word", feature.word);
+      table.add("from", decimal(feature.from));
+      table.add("to", decimal(feature.to));
+      if (feature.amount != 1) table.add("amount", decimal(feature.amount));
+      if (list.size() > 1) list += ", ";
+      list += table.str();
+    }
+    list += ']';
+    face.add("more", list);
+  }
   if (!face.empty()) line(out, "face", face.str());
   text_line(out, "mouthing", nm.mouthing);
   write_provenance(out, sign.provenance);

@@ -50,10 +50,18 @@ Movement read_move(TableReader& reader, Handedness handedness) {
   move.kind = reader.vocabulary<MoveKind>("kind", Need::kRequired).value_or(MoveKind::kHold);
   move.direction = reader.direction("direction", Need::kOptional);
   move.size = reader.vocabulary<Size>("size", Need::kOptional).value_or(Size::kMedium);
-  move.repeats = reader.integer("repeats", 1, 1, 10);
+  move.repeats = reader.integer("repeats", 1, 1, 24);
   move.hands = reader.vocabulary<MovingHands>("hands", Need::kOptional).value_or(usual_hands(handedness));
   move.manner = reader.vocabulary<Manner>("manner", Need::kOptional).value_or(Manner::kPlain);
   move.plane = reader.vocabulary<Plane>("plane", Need::kOptional).value_or(Plane::kNone);
+  move.bow = reader.direction("bow", Need::kOptional);
+  move.start = reader.direction("start", Need::kOptional);
+  move.eighths = reader.integer("eighths", 8, 1, 64);
+  move.ellipse = reader.direction("ellipse", Need::kOptional);
+  move.flattening = reader.vocabulary<Size>("flattening", Need::kOptional).value_or(Size::kMedium);
+  move.growth = reader.vocabulary<Growth>("growth", Need::kOptional).value_or(Growth::kNone);
+  move.digits = reader.text("digits", Need::kOptional);
+  if (reader.node("pace") != nullptr) move.pace = reader.number("pace", Need::kOptional);
   move.from = reader.integer("from", 0, 0, 99);
   move.to = reader.integer("to", move.from, 0, 99);
   reader.finish();
@@ -74,6 +82,17 @@ NonManual read_face(TableReader& reader) {
   face.shoulders = channel(kShoulders);
   face.gaze = channel(kGaze);
   face.face = channel(kFace);
+  for (const toml::table* table : reader.tables("more", Need::kOptional)) {
+    TableReader inner(*table, reader.what() + " more[" + std::to_string(face.more.size()) + "]", reader.problems());
+    NonManualFeature feature;
+    feature.tier = inner.text("tier", Need::kRequired);
+    feature.word = inner.text("word", Need::kRequired);
+    feature.from = inner.number("from", Need::kRequired);
+    feature.to = inner.number("to", Need::kRequired);
+    if (inner.node("amount") != nullptr) feature.amount = inner.number("amount", Need::kOptional);
+    inner.finish();
+    face.more.push_back(std::move(feature));
+  }
   reader.finish();
   return face;
 }

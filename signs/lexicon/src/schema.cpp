@@ -95,7 +95,7 @@ std::vector<TableSchema> lexicon_tables() {
                     "CREATE TABLE posture (\n"
                     "  gloss TEXT NOT NULL REFERENCES sign (gloss) ON DELETE CASCADE,\n"
                     "  hand TEXT NOT NULL CHECK (hand IN ('dominant', 'base')),\n"
-                    "  phase INTEGER NOT NULL CHECK (phase BETWEEN 0 AND 11),\n"
+                    "  phase INTEGER NOT NULL CHECK (phase BETWEEN 0 AND 95),\n"
                     "  handshape TEXT NOT NULL REFERENCES handshape (id),\n"
                     "  fingers TEXT NOT NULL,\n"
                     "  palm TEXT NOT NULL,\n"
@@ -118,13 +118,31 @@ std::vector<TableSchema> lexicon_tables() {
                         "  direction TEXT,\n"
                         "  size " +
                         vocabulary<Size>("size") + ",\n" +
-                        "  repeats INTEGER NOT NULL CHECK (repeats BETWEEN 1 AND 10),\n"
+                        "  repeats INTEGER NOT NULL CHECK (repeats BETWEEN 1 AND 24),\n"
                         "  hands " +
                         vocabulary<MovingHands>("hands") + ",\n" + "  manner " + vocabulary<Manner>("manner") + ",\n" +
                         "  plane " + vocabulary<Plane>("plane") + ",\n" +
+                        "  bow TEXT,\n"
+                        "  start TEXT,\n"
+                        "  eighths INTEGER NOT NULL CHECK (eighths BETWEEN 1 AND 64),\n"
+                        "  ellipse TEXT,\n"
+                        "  flattening " +
+                        vocabulary<Size>("flattening") + ",\n" + "  growth " + vocabulary<Growth>("growth") + ",\n" +
+                        "  digits TEXT NOT NULL,\n"
+                        "  pace REAL NOT NULL CHECK (pace BETWEEN 0.1 AND 10),\n" +
                         "  from_phase INTEGER NOT NULL CHECK (from_phase >= 0),\n"
                         "  to_phase INTEGER NOT NULL CHECK (to_phase >= from_phase),\n"
                         "  PRIMARY KEY (gloss, position)) STRICT, WITHOUT ROWID"});
+  tables.push_back({"feature",
+                    "CREATE TABLE feature (\n"
+                    "  gloss TEXT NOT NULL REFERENCES sign (gloss) ON DELETE CASCADE,\n"
+                    "  position INTEGER NOT NULL,\n"
+                    "  tier TEXT NOT NULL,\n"
+                    "  word TEXT NOT NULL CHECK (word <> ''),\n"
+                    "  from_share REAL NOT NULL CHECK (from_share BETWEEN 0 AND 1),\n"
+                    "  to_share REAL NOT NULL CHECK (to_share BETWEEN from_share AND 1),\n"
+                    "  amount REAL NOT NULL CHECK (amount BETWEEN 0 AND 4),\n"
+                    "  PRIMARY KEY (gloss, position)) STRICT, WITHOUT ROWID"});
   tables.push_back({"keyword",
                     "CREATE TABLE keyword (\n"
                     "  position INTEGER PRIMARY KEY NOT NULL,\n"

@@ -6,7 +6,7 @@
 namespace auslan {
 namespace {
 
-constexpr int kMaxTextBytes = 4096;
+constexpr int kMaxTextBytes = 1 << 14;  // the checks of a table list whole vocabularies
 
 }  // namespace
 

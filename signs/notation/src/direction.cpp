@@ -85,22 +85,25 @@ Vec3 palm_of(const Vec3& letter, const Vec3& fingers) {
   return Vec3(cos_yaw, 0, -sin_yaw) * across + Vec3(-sin_pitch * sin_yaw, cos_pitch, -sin_pitch * cos_yaw) * letter.y;
 }
 
-Direction nearest_direction(const Vec3& v) {
-  return best_of_26([&v](const Direction& d) { return glm::dot(to_vector(d), v); });
+Vec3 carried(const Vec3& face, const Vec3& axis) {
+  const Vec3 forward(0, 0, axis.z < -1e-9 ? -1.0 : 1.0);
+  const Vec3 turn = glm::cross(forward, axis);
+  const double cosine = glm::dot(forward, axis);  // at least 0
+  return face + glm::cross(turn, face) + glm::cross(turn, glm::cross(turn, face)) / (1.0 + cosine);
 }
 
-Direction nearest_palm(const Vec3& palm, const Direction& fingers) {
-  const Vec3 axis = to_vector(fingers);
-  const auto flatten = [&axis](const Vec3& v) { return v - axis * glm::dot(axis, v); };
+Direction palm_direction(const Vec3& palm, const Vec3& fingers) {
+  const auto flatten = [&fingers](const Vec3& v) { return v - fingers * glm::dot(fingers, v); };
   const Vec3 wish = flatten(palm);
   const double wish_length = length(wish);
-  if (wish_length < 1e-6) return nearest_direction(palm);
-  return best_of_26([&](const Direction& d) {
+  if (wish_length < 1e-6) return to_direction(palm);
+  // Of several that lie in one half-plane with the fingers, the one nearest to perpendicular.
+  const Direction plain = best_of_26([&](const Direction& d) {
     const Vec3 flat = flatten(to_vector(d));
     const double size = length(flat);
-    // Of several that lie in one half-plane with the fingers, the one nearest to perpendicular.
-    return size < 0.3 ? -1.0 : glm::dot(flat, wish) / (size * wish_length) + 1e-3 * size;
+    return size < 0.8 ? -1.0 : glm::dot(flat, wish) / (size * wish_length) + 1e-6 * size;
   });
+  return angle_deg(flatten(to_vector(plain)), wish) < 1.0 ? plain : to_direction(wish);
 }
 
 double angle_deg(const Vec3& a, const Vec3& b) {

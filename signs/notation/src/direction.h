@@ -22,10 +22,14 @@ Vec3 midway(const Vec3& a, const Vec3& b);
 /// exchanged first, so that they stay literal.
 Vec3 palm_of(const Vec3& letter, const Vec3& fingers);
 
-/// The nearest of the 26 directions.
-Direction nearest_direction(const Vec3& v);
-/// The nearest of the 26 that, made perpendicular to `fingers`, is `palm`.
-Direction nearest_palm(const Vec3& palm, const Direction& fingers);
+/// What is written on the face of something that points away from the signer (the bow of a path, the clock of a
+/// circle), carried to something that points to `axis` by the shortest turn. What points towards the signer is turned
+/// from there, so that letters stay literal.
+Vec3 carried(const Vec3& face, const Vec3& axis);
+
+/// The palm as one of the 26 directions where one of them lies, made perpendicular to `fingers`, within a degree of
+/// it; else exactly.
+Direction palm_direction(const Vec3& palm, const Vec3& fingers);
 
 /// Angle between two directions, degrees.
 double angle_deg(const Vec3& a, const Vec3& b);

@@ -16,8 +16,8 @@ bool Element::flag(const char* attribute) {
   const std::string value = text(attribute);
   if (value.empty() || value == "true" || value == "1" || value == "yes") return !value.empty();
   if (value != "false" && value != "0" && value != "no")
-    findings_->warning(mark_, "the attribute " + std::string(attribute) + "=" + in_quotes(value) +
-                                  " is neither true nor false; taken as false");
+    findings_->left_out(mark_, "the attribute " + std::string(attribute) + "=" + in_quotes(value) +
+                                   " is neither true nor false; taken as false");
   return false;
 }
 
@@ -25,8 +25,8 @@ void Element::not_carried(std::initializer_list<const char*> attributes) {
   for (const char* attribute : attributes) {
     const std::string value = text(attribute);
     if (!value.empty())
-      findings_->warning(mark_, "the attribute " + std::string(attribute) + "=" + in_quotes(value) + " of <" +
-                                    std::string(name()) + "> is not carried");
+      findings_->left_out(mark_, "the attribute " + std::string(attribute) + "=" + in_quotes(value) + " of <" +
+                                     std::string(name()) + "> is not carried");
   }
 }
 
@@ -34,8 +34,8 @@ void Element::done() {
   for (const pugi::xml_attribute& attribute : node_.attributes()) {
     const std::string_view name = attribute.name();
     if (std::ranges::none_of(read_, [name](const char* known) { return name == known; }))
-      findings_->warning(mark_, "the attribute " + in_quotes(name) + " of the element " + in_quotes(this->name()) +
-                                    " is not known and is left out");
+      findings_->left_out(mark_, "the attribute " + in_quotes(name) + " of the element " + in_quotes(this->name()) +
+                                     " is not known and is left out");
   }
 }
 

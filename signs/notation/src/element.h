@@ -53,6 +53,8 @@ class Element {
   std::vector<const char*> read_;
 };
 
+/// The attributes speed and timescale as one factor; 1 where there are none.
+double read_pace(Element& element);
 /// sign_manual and what is in it.
 void read_manual(Element& manual, WrittenSign& sign);
 /// sign_nonmanual of gestural SiGML.

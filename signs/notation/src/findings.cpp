@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "written_sign.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace auslan {
@@ -11,6 +12,11 @@ std::string to_string(const Diagnostic& diagnostic) {
          std::string(kGrades[static_cast<size_t>(diagnostic.grade)]) + ": " + diagnostic.message;
 }
 
+bool nothing_left_out(const std::vector<Diagnostic>& diagnostics) {
+  return std::none_of(diagnostics.begin(), diagnostics.end(),
+                      [](const Diagnostic& diagnostic) { return diagnostic.left_out; });
+}
+
 namespace notation {
 namespace {
 
@@ -19,19 +25,20 @@ constexpr size_t kMaxQuoted = 60;
 
 }  // namespace
 
-void Findings::add(Diagnostic::Grade grade, const Mark& mark, std::string message) {
+void Findings::add(Diagnostic::Grade grade, const Mark& mark, std::string message, bool left_out) {
   // Errors are always kept: they say why there is no sign.
   if (kept_.size() >= kMaxFindings && grade != Diagnostic::Grade::kError) {
     ++left_off_;
+    lost_ = lost_ || left_out;
     return;
   }
-  kept_.push_back({grade, mark.line, mark.column, std::move(message)});
+  kept_.push_back({grade, mark.line, mark.column, left_out, std::move(message)});
 }
 
 std::vector<Diagnostic> Findings::take() {
   if (left_off_ > 0) {
     const Diagnostic last = kept_.back();
-    kept_.push_back({Diagnostic::Grade::kWarning, last.line, last.column,
+    kept_.push_back({Diagnostic::Grade::kWarning, last.line, last.column, lost_,
                      std::to_string(left_off_) + " more findings in this sign are not listed"});
     left_off_ = 0;
   }
@@ -56,8 +63,9 @@ bool WrittenShape::empty() const {
   bool digits = false;
   for (const std::string& one : digit_bend)
     digits = digits || !one.empty();
-  return !digits && !thumb_enclosed && base.empty() && thumb.empty() && bend.empty() && special.empty() &&
-         exempt.empty() && opening.empty() && splay.empty() && crossed.empty() && thumb_between.empty();
+  return !digits && !thumb_enclosed && contact_kind.empty() && opposed.empty() && thumb_contact.empty() &&
+         successive.empty() && base.empty() && thumb.empty() && bend.empty() && special.empty() && exempt.empty() &&
+         opening.empty() && splay.empty() && crossed.empty() && thumb_between.empty();
 }
 
 bool WrittenHand::empty() const {
@@ -78,13 +86,15 @@ void WrittenHand::merge(const WrittenHand& more) {
   }
   if (!more.palm.empty()) {
     palm = more.palm;
+    palm_absolute = more.palm_absolute;
     palm_mark = more.mark;
     second_palm = more.second_palm;
   }
 }
 
 bool WrittenPosture::empty() const {
-  return shared.empty() && split[0].empty() && split[1].empty() && !body[0] && !body[1] && !on_other && !meeting;
+  return shared.empty() && split[0].empty() && split[1].empty() && !body[0] && !body[1] && !on_other && !meeting &&
+         use_name.empty();
 }
 
 }  // namespace notation

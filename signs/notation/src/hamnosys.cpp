@@ -29,6 +29,10 @@ Result<NotatedSign> parse_hamnosys(std::string_view utf8) {
     return fail(ErrorCode::kMalformed, "a byte that is not UTF-8", place(name, mark_at(at)));
   Findings findings;
   std::vector<Token> tokens;
+  WrittenElement source;
+  source.name = "hns_sign";
+  source.put("gloss", "HAMNOSYS");
+  WrittenElement& symbols = source.add("hamnosys_manual");
   size_t i = 0;
   while (i < utf8.size()) {
     const size_t start = i;
@@ -63,13 +67,20 @@ Result<NotatedSign> parse_hamnosys(std::string_view utf8) {
       symbol = find_ham_symbol(code);
     }
     if (symbol == nullptr) {
-      findings.warning(mark_at(start), "the symbol " + in_quotes(written) + " is not known and is left out");
+      findings.left_out(mark_at(start), "the symbol " + in_quotes(written) + " is not known and is left out");
+      if (!symbols.children.empty() && symbols.children.back().name.empty()) {
+        symbols.children.back().text += ' ';
+      } else {
+        symbols.add("");
+      }
+      symbols.children.back().text += written;
       continue;
     }
     if (tokens.size() >= kMaxSymbols)
       return fail(ErrorCode::kLimit, "more than " + std::to_string(kMaxSymbols) + " symbols",
                   place(name, mark_at(start)));
     tokens.push_back({symbol, mark_at(start)});
+    symbols.add(symbol->name);
   }
   if (tokens.empty())
     return fail(ErrorCode::kMalformed,
@@ -79,7 +90,9 @@ Result<NotatedSign> parse_hamnosys(std::string_view utf8) {
   WrittenSign sign;
   sign.gloss = "HAMNOSYS";
   read_tokens(tokens, {}, sign, findings);
-  return sign_of(sign, findings);
+  NotatedSign result = sign_of(sign, findings);
+  result.written = std::move(source);
+  return result;
 }
 
 }  // namespace auslan

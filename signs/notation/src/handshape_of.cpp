@@ -47,6 +47,21 @@ std::optional<Quarters> quarters_of(std::string_view bend) {
   if (bend == "dblbent") return Quarters{4, 4, 0};
   if (bend == "dblhooked") return Quarters{4, 4, 4};
   if (bend == "halfbent") return Quarters{2, 0, 0};
+  // Three numbers in a row, as some files have them: "0.5 0.5 0.5", also without the spaces.
+  if (bend.find('.') != std::string_view::npos) {
+    Quarters result{};
+    size_t at = 0;
+    for (double& quarters : result) {
+      while (at < bend.size() && bend[at] == ' ')
+        ++at;
+      if (at + 2 >= bend.size() || bend[at] < '0' || bend[at] > '4' || bend[at + 1] != '.' || bend[at + 2] < '0' ||
+          bend[at + 2] > '9')
+        return std::nullopt;
+      quarters = std::min(4.0, (bend[at] - '0') + 0.1 * (bend[at + 2] - '0'));
+      at += 3;
+    }
+    return at >= bend.size() ? std::optional<Quarters>(result) : std::nullopt;
+  }
   if (bend.size() != 3 && bend.size() != 4) return std::nullopt;
   Quarters result{};
   for (size_t i = 0; i < bend.size(); ++i) {
@@ -105,6 +120,7 @@ std::string id_of(const WrittenShape& written) {
   add("", written.opening);
   add("splay", written.splay);
   add("crossed", written.crossed);
+  add("at", written.contact_kind);
   add("thumbbetween", written.thumb_between);
   if (written.thumb_enclosed) id += "+thumbenclosed";
   return id;
@@ -114,7 +130,7 @@ Handshape single(const WrittenShape& written, const Mark& mark, Findings& findin
   const auto base = std::ranges::find(kBases, std::string_view(written.base), &BaseForm::name);
   const BaseForm& form = base == kBases.end() ? kBases[1] : *base;
   if (base == kBases.end())
-    findings.warning(mark, "the base handshape " + in_quotes(written.base) + " is not known; signed with a flat hand");
+    findings.left_out(mark, "the base handshape " + in_quotes(written.base) + " is not known; signed with a flat hand");
   std::string selected(form.selected);
   bool thumb_selected = form.grip != Grip::kStraight;
   if (!written.special.empty()) {
@@ -129,9 +145,9 @@ Handshape single(const WrittenShape& written, const Mark& mark, Findings& findin
   if (!written.bend.empty()) {
     bend = quarters_of(written.bend);
     if (!bend)
-      findings.warning(mark, "the bend " + in_quotes(written.bend) +
-                                 " is not known (expected bent, round, hooked, dblbent, dblhooked or halfbent); left "
-                                 "straight");
+      findings.left_out(mark, "the bend " + in_quotes(written.bend) +
+                                  " is not known (expected bent, round, hooked, dblbent, dblhooked or halfbent); left "
+                                  "straight");
   }
   Handshape shape;
   for (size_t i = 0; i < 4; ++i) {
@@ -165,24 +181,49 @@ Handshape single(const WrittenShape& written, const Mark& mark, Findings& findin
       if (const auto quarters = quarters_of(own)) {
         finger = angles_of(*quarters, finger.abduction);
       } else {
-        findings.warning(mark, "the bend " + in_quotes(own) + " of digit " + std::to_string(i + 2) +
-                                   " is not known; the digit stays as the handshape has it");
+        findings.left_out(mark, "the bend " + in_quotes(own) + " of digit " + std::to_string(i + 2) +
+                                    " is not known; the digit stays as the handshape has it");
       }
     }
   }
   if (written.crossed == "23" || written.crossed == "32") {
     shape.fingers[0].abduction = -6;
     shape.fingers[1].abduction = -8;
-  } else if (!written.crossed.empty()) {
-    findings.warning(mark, "the crossing or contact of the digits " + in_quotes(written.crossed) + " is not carried");
   }
   shape.thumb = thumb_of(written, form.grip, form.selected);
+  const bool neighbours = written.crossed == "23" || written.crossed == "32";
+  if (written.crossed.size() == 2 && !neighbours) {
+    // Two digits at each other: the thumb meets a finger, or two fingers lean together.
+    for (const char digit : written.crossed) {
+      if (digit == '1') {
+        shape.thumb = {15, 45, 0.75, 20, 20};
+        continue;
+      }
+      FingerAngles& finger = shape.fingers[static_cast<size_t>(digit - '2')];
+      if (written.crossed.find('1') != std::string::npos) {
+        finger = {50, 55, 30, 0};
+      } else {
+        finger.abduction = -7;
+      }
+    }
+    findings.note(mark, "the digits " + in_quotes(written.crossed) + " touch each other approximately");
+  } else if (!written.crossed.empty() && !neighbours) {
+    findings.left_out(mark, "the crossing or contact of the digits " + in_quotes(written.crossed) +
+                                " is left out (expected two digits)");
+  }
+  if (!written.contact_kind.empty())
+    findings.warning(
+        mark, "the contact of two fingers at the " + in_quotes(written.contact_kind) + " is signed as crossed fingers");
+  if (!written.thumb_contact.empty())
+    findings.note(mark, "the thumb touches the finger's " + in_quotes(written.thumb_contact) + " approximately");
+  if (!written.opposed.empty())
+    findings.note(mark, "the thumb opposes the digit " + in_quotes(written.opposed) + " approximately");
   if (const std::string& own = written.digit_bend[0]; !own.empty()) {
     if (const auto quarters = quarters_of(own)) {
       shape.thumb.mp = std::max(shape.thumb.mp, (*quarters)[1] * 50 / 4);
       shape.thumb.ip = std::max(shape.thumb.ip, (*quarters)[2] * 70 / 4);
     } else {
-      findings.warning(mark, "the bend " + in_quotes(own) + " of the thumb is not known; the thumb stays straight");
+      findings.left_out(mark, "the bend " + in_quotes(own) + " of the thumb is not known; the thumb stays straight");
     }
   }
   if (written.thumb_enclosed || !written.thumb_between.empty())

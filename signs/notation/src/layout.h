@@ -18,6 +18,7 @@ struct Hand {
   Handshape shape;
   Vec3 fingers{0, 1, 0};
   Vec3 palm_letter{1, 0, 0}, palm{1, 0, 0};
+  bool palm_absolute = false;  ///< the letters are the direction itself
   Spot spot;
   std::optional<HandPart> part;            ///< the part that is placed
   std::optional<Location> other_location;  ///< placed at the other hand or arm, `spot.offset` from it
@@ -55,6 +56,7 @@ class Layout {
   void apply_meeting(const WrittenMeeting& meeting, Phase& phase);
   void apply_on_other(const WrittenHandSite& site, Phase& phase);
   void mirror_place(Phase& phase);
+  HeldHand held(const Phase& phase, size_t which) const;
   void default_base(Phase& phase, const Mark& mark, bool arm);
   std::optional<Vec3> direction(const std::string& letters, const std::string& second, const Mark& mark,
                                 std::string_view what);
@@ -62,8 +64,13 @@ class Layout {
   void make_strokes(const WrittenPart& part);
   void make(const Stroke& stroke);
   void shift(Phase& phase, size_t which, const Vec3& by, bool brushing);
-  void tell_dropped(const WrittenMotion& motion);
-  Movement arc_or_line(const WrittenMotion& motion, const Vec3& by);
+  void make_directed(const StrokeItem& item, const Stroke& stroke, bool other_moves, MovingHands moving, Phase& next,
+                     std::vector<Movement>& made);
+  void make_circle(const StrokeItem& item, const Stroke& stroke, bool other_moves, MovingHands moving, Phase& next,
+                   std::vector<Movement>& made, bool& changes);
+  void make_wrist(const WrittenMotion& motion, MovingHands moving, std::vector<Movement>& made);
+  /// A movement of both hands that are no mirror images is told for each of them.
+  void part_hands();
   size_t append(const Phase& phase);
   // the model
   Posture posture_of(const Phase& phase, size_t which, bool symmetric);
@@ -77,6 +84,8 @@ class Layout {
   std::vector<Phase> phases_;
   std::vector<size_t> stroke_starts_;  ///< phase at which each stroke of this part began
   std::vector<Movement> movements_;
+  std::vector<const WrittenPart*> part_of_movement_;  ///< for each movement, whose symmetry it has
+  std::vector<WrittenBodySite> named_;
   bool hands_differ_ = false;  ///< some movement moves the hands differently
   bool alternating_ = false;
   NotatedSign result_;

@@ -3,7 +3,9 @@
 #include "handshape_of.h"
 #include "layout.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace auslan::notation {
 namespace {
@@ -28,20 +30,31 @@ std::optional<Vec3> Layout::direction(const std::string& letters, const std::str
                                       std::string_view what) {
   auto vector = vector_of_letters(letters);
   if (!vector) {
-    findings_.warning(mark, "the " + std::string(what) + " " + in_quotes(letters) +
-                                " is not a direction (letters u d l r o i); it is left as it was");
+    findings_.left_out(mark, "the " + std::string(what) + " " + in_quotes(letters) +
+                                 " is not a direction (letters u d l r o i); it is left as it was");
     return std::nullopt;
   }
   if (!second.empty()) {
     if (const auto other = vector_of_letters(second)) {
       vector = midway(*vector, *other);
     } else {
-      findings_.warning(mark,
-                        "the second " + std::string(what) + " " + in_quotes(second) + " is not a direction; left out");
+      findings_.left_out(mark,
+                         "the second " + std::string(what) + " " + in_quotes(second) + " is not a direction; left out");
     }
   }
   return vector;
 }
+
+namespace {
+
+/// Made perpendicular to the fingers; as it is where it lies along them.
+Vec3 across(const Vec3& palm, const Vec3& fingers) {
+  const Vec3 flat = palm - fingers * glm::dot(fingers, palm);
+  const double size = std::sqrt(glm::dot(flat, flat));
+  return size > 1e-3 ? flat / size : Vec3(fingers.y, fingers.z, fingers.x);
+}
+
+}  // namespace
 
 void Layout::apply_config(const WrittenHand& config, size_t which, Phase& phase) {
   Hand& hand = phase.hands[which];
@@ -55,6 +68,14 @@ void Layout::apply_config(const WrittenHand& config, size_t which, Phase& phase)
       if (!change.bend.empty()) shape.bend = change.bend;
       if (!change.special.empty()) shape.special = change.special;
       if (!change.opening.empty()) shape.opening = change.opening;
+      if (!change.crossed.empty()) shape.crossed = change.crossed;
+      if (!change.contact_kind.empty()) shape.contact_kind = change.contact_kind;
+      if (!change.opposed.empty()) shape.opposed = change.opposed;
+      if (!change.thumb_contact.empty()) shape.thumb_contact = change.thumb_contact;
+      if (!change.thumb_between.empty()) shape.thumb_between = change.thumb_between;
+      if (!change.exempt.empty()) shape.exempt = change.exempt;
+      if (!change.splay.empty()) shape.splay = change.splay;
+      shape.thumb_enclosed = shape.thumb_enclosed || change.thumb_enclosed;
       for (size_t i = 0; i < 5; ++i)
         if (!change.digit_bend[i].empty()) shape.digit_bend[i] = change.digit_bend[i];
     }
@@ -77,18 +98,47 @@ void Layout::apply_config(const WrittenHand& config, size_t which, Phase& phase)
     }
   if (!config.palm.empty()) {
     const auto flat = [](const std::string& letters) { return letters.find_first_of("oi") == std::string::npos; };
-    if (!flat(config.palm) || !flat(config.second_palm)) {
+    const bool eight = flat(config.palm) && flat(config.second_palm);
+    if (!eight && !config.palm_absolute)
       findings_.warning(config.palm_mark, "the palm orientation " + in_quotes(config.palm) +
-                                              " is not one of the eight (u ur r dr d dl l ul); it is left as it was");
-    } else if (const auto palm = direction(config.palm, config.second_palm, config.palm_mark, "palm orientation")) {
+                                              " is not one of the eight (u ur r dr d dl l ul); read as the direction "
+                                              "in which the palm faces");
+    if (const auto palm = direction(config.palm, config.second_palm, config.palm_mark, "palm orientation")) {
       hand.palm_letter = *palm;
+      hand.palm_absolute = !eight || config.palm_absolute;
       turned = true;
     }
   }
-  if (turned) hand.palm = palm_of(hand.palm_letter, hand.fingers);
+  if (turned)
+    hand.palm = hand.palm_absolute ? across(hand.palm_letter, hand.fingers) : palm_of(hand.palm_letter, hand.fingers);
 }
 
 void Layout::apply_body(const WrittenBodySite& site, size_t which, Phase& phase) {
+  // A place on the other hand or arm, however it is written.
+  static constexpr std::string_view kOnHand[] = {"upperarm",  "elbow",     "elbowinside", "lowerarm",
+                                                 "wristback", "thumbball", "palm",        "handback",
+                                                 "thumbside", "pinkyside", "wristpulse"};
+  if (site.on_hand || std::ranges::find(kOnHand, std::string_view(site.location)) != std::end(kOnHand)) {
+    WrittenHandSite place;
+    if (site.on_hand) {
+      place = *site.on_hand;
+    } else {
+      place.mark = site.mark;
+      place.part = site.location;
+      place.side = site.side;
+      place.contact = site.contact;
+      place.behind = site.behind;
+      if (site.with) place.with.push_back(*site.with);
+    }
+    if (which == 0) return apply_on_other(place, phase);
+    findings_.warning(place.mark,
+                      "the other hand is placed on the dominant one: it stays, and the dominant one comes to it");
+    return;
+  }
+  if (!site.name.empty()) {
+    std::erase_if(named_, [&site](const WrittenBodySite& known) { return known.name == site.name; });
+    if (named_.size() < 16) named_.push_back(site);
+  }
   Hand& hand = phase.hands[which];
   const bool apart = part_->both_hands && !phase.meeting;
   hand.spot = spot_of(site, which == 1, apart, findings_);
@@ -96,12 +146,16 @@ void Layout::apply_body(const WrittenBodySite& site, size_t which, Phase& phase)
   hand.placed = true;
   hand.part.reset();
   if (site.with) {
-    hand.part = part_of(*site.with, findings_);
+    hand.part = part_of(*site.with, held(phase, which), findings_);
     // A named part before the chest is placed itself, not the palm.
     if (!hand.spot.contact && site.contact != "touch") hand.spot.contact = ContactKind::kNear;
   } else if (hand.spot.contact) {
     hand.part = facing_part(hand.shape, hand.fingers, hand.palm, -hand.spot.outward, which == 1);
   }
+}
+
+HeldHand Layout::held(const Phase& phase, size_t which) const {
+  return {phase.hands[which].fingers, phase.hands[which].palm, which == 1};
 }
 
 /// The other hand's place as the image of the dominant one's.
@@ -137,13 +191,14 @@ void Layout::default_base(Phase& phase, const Mark& mark, bool arm) {
 void Layout::apply_on_other(const WrittenHandSite& site, Phase& phase) {
   Hand& hand = phase.hands[0];
   default_base(phase, site.mark, is_arm_site(site.part) || site.part == "wristback" || site.part == "wristpulse");
-  hand.other_location = on_other_hand(site, findings_);
+  hand.other_location = on_other_hand(site, held(phase, 1), findings_);
   const auto contact = contact_of(site.contact, site.mark, findings_);
   hand.spot = Spot{};
   hand.spot.location = *hand.other_location;
   hand.spot.contact = contact ? *contact : ContactKind::kNear;
   if (!contact) hand.spot.offset = Vec3(0, 0.05, 0.03);
-  hand.part = facing_part(hand.shape, hand.fingers, hand.palm, Vec3(0.6, -0.6, 0.3), false);
+  hand.part = site.with.empty() ? facing_part(hand.shape, hand.fingers, hand.palm, Vec3(0.6, -0.6, 0.3), false)
+                                : part_of(site.with.front(), held(phase, 0), findings_);
   hand.placed = true;
   phase.meeting.reset();
 }
@@ -155,12 +210,13 @@ void Layout::apply_meeting(const WrittenMeeting& written, Phase& phase) {
   meeting.contact = contact ? *contact : ContactKind::kNear;
   const Hand& hand = phase.hands[0];
   const Hand& other = phase.hands[1];
+  Findings quiet;  // a place on the other hand is told once
   // Without a named site each hand offers what faces the other.
-  meeting.part = written.dominant ? part_of(*written.dominant, findings_)
+  meeting.part = written.dominant ? part_of(*written.dominant, held(phase, 0), findings_)
                                   : facing_part(hand.shape, hand.fingers, hand.palm, Vec3(1, 0, 0), false);
   if (written.other) {
-    meeting.other_part = part_of(*written.other, findings_);
-    meeting.other_location = on_other_hand(*written.other, findings_);
+    meeting.other_part = part_of(*written.other, held(phase, 1), quiet);
+    meeting.other_location = on_other_hand(*written.other, held(phase, 1), findings_);
   } else {
     meeting.other_part = facing_part(other.shape, other.fingers, other.palm, Vec3(-1, 0, 0), true);
     switch (meeting.other_part) {
@@ -231,7 +287,18 @@ void Layout::apply(const WrittenPosture& posture, Hands hands, Phase& phase) {
   }
   if (posture.on_other && hands.dominant) apply_on_other(*posture.on_other, phase);
   if (posture.on_other && !hands.dominant)
-    findings_.warning(posture.on_other->mark, "a place on the dominant hand for the other hand is not carried");
+    findings_.warning(posture.on_other->mark,
+                      "the other hand is placed on the dominant one: it stays, and the dominant one comes to it");
+  if (!posture.use_name.empty()) {
+    const auto known =
+        std::ranges::find_if(named_, [&](const WrittenBodySite& site) { return site.name == posture.use_name; });
+    if (known == named_.end()) {
+      findings_.left_out(posture.mark, "the place named " + in_quotes(posture.use_name) + " was not named before");
+    } else {
+      const WrittenBodySite site = *known;
+      if (hands.dominant) apply_body(site, 0, phase);
+    }
+  }
   if (posture.meeting) apply_meeting(*posture.meeting, phase);
 }
 

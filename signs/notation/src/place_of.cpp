@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace auslan::notation {
 namespace {
@@ -24,43 +25,49 @@ constexpr double kHighAbove = 0.21, kLowAbove = -0.19;
 struct BodyPlace {
   std::string_view name;
   Location location;
-  double x = 0, y = 0;    ///< metres from the location
-  bool paired = false;    ///< the location lies on the articulating side by itself
-  bool trunk = false;     ///< without contact: signing space at `above`
-  double above = 0;       ///< height over the middle of signing space
-  std::string_view loss;  ///< what the model calls it, where it is coarser
+  bool paired = false;  ///< the location lies on the articulating side by itself
+  bool trunk = false;   ///< without contact: signing space at this height
+  Vec3 nominal{0.0};    ///< on a person of usual size, metres from the middle of signing space at the chest; a right
+                        ///< hand's side
 };
 
-constexpr std::array<BodyPlace, 28> kPlaces = {{
-    {"head", Location::kFace, 0, 0, false, false, 0, ""},
-    {"headtop", Location::kTopHead, 0, 0, false, false, 0, ""},
-    {"forehead", Location::kForehead, 0, 0, false, false, 0, ""},
-    {"eyebrows", Location::kForehead, 0, -0.025, false, false, 0, "the lower forehead"},
-    {"eyes", Location::kEye, 0, 0, true, false, 0, ""},
-    {"uppereyelid", Location::kEye, 0, 0.006, true, false, 0, "the eye"},
-    {"lowereyelid", Location::kEye, 0, -0.006, true, false, 0, "the eye"},
-    {"nose", Location::kNose, 0, 0, false, false, 0, ""},
-    {"nostrils", Location::kNose, 0, -0.008, false, false, 0, "the nose"},
-    {"ear", Location::kEar, 0, 0, true, false, 0, ""},
-    {"earlobe", Location::kEar, 0, -0.025, true, false, 0, "the ear"},
-    {"cheek", Location::kCheek, 0, 0, true, false, 0, ""},
-    {"lips", Location::kMouth, 0, 0, false, false, 0, ""},
-    {"upperlip", Location::kMouth, 0, 0.008, false, false, 0, "the mouth"},
-    {"lowerlip", Location::kMouth, 0, -0.008, false, false, 0, "the mouth"},
-    {"tongue", Location::kMouth, 0, 0, false, false, 0, "the mouth"},
-    {"teeth", Location::kMouth, 0, 0, false, false, 0, "the mouth"},
-    {"upperteeth", Location::kMouth, 0, 0.005, false, false, 0, "the mouth"},
-    {"lowerteeth", Location::kMouth, 0, -0.005, false, false, 0, "the mouth"},
-    {"chin", Location::kChin, 0, 0, false, false, 0, ""},
-    {"underchin", Location::kChin, 0, -0.02, false, false, 0, "the chin"},
-    {"neck", Location::kNeck, 0, 0, false, false, 0, ""},
-    {"shouldertop", Location::kShoulder, 0, 0.02, true, true, 0.25, ""},
-    {"shoulders", Location::kChest, 0, 0.09, false, true, 0.20, "the upper chest"},
-    {"chest", Location::kChest, 0, 0, false, true, 0.08, ""},
-    {"stomach", Location::kStomach, 0, 0, false, true, -0.09, ""},
-    {"belowstomach", Location::kStomach, 0, -0.08, false, true, -0.18, "the lower stomach"},
-    {"neutralspace", Location::kNeutral, 0, 0, false, true, 0.04, ""},
+const std::array<BodyPlace, 28> kPlaces = {{
+    {"head", Location::kFace, false, false, {0, 0.38, 0.10}},
+    {"headtop", Location::kTopHead, false, false, {0, 0.53, 0.02}},
+    {"forehead", Location::kForehead, false, false, {0, 0.47, 0.09}},
+    {"eyebrows", Location::kEyebrow, true, false, {-0.032, 0.44, 0.09}},
+    {"eyes", Location::kEye, true, false, {-0.032, 0.42, 0.09}},
+    {"uppereyelid", Location::kEye, true, false, {-0.032, 0.426, 0.09}},
+    {"lowereyelid", Location::kEye, true, false, {-0.032, 0.414, 0.09}},
+    {"nose", Location::kNose, false, false, {0, 0.38, 0.11}},
+    {"nostrils", Location::kNostrils, false, false, {0, 0.37, 0.10}},
+    {"ear", Location::kEar, true, false, {-0.075, 0.40, 0.0}},
+    {"earlobe", Location::kEarlobe, true, false, {-0.07, 0.375, 0.0}},
+    {"cheek", Location::kCheek, true, false, {-0.045, 0.365, 0.07}},
+    {"lips", Location::kMouth, false, false, {0, 0.345, 0.10}},
+    {"upperlip", Location::kUpperLip, false, false, {0, 0.352, 0.10}},
+    {"lowerlip", Location::kLowerLip, false, false, {0, 0.338, 0.10}},
+    {"tongue", Location::kTongue, false, false, {0, 0.345, 0.10}},
+    {"teeth", Location::kTeeth, false, false, {0, 0.345, 0.10}},
+    {"upperteeth", Location::kTeeth, false, false, {0, 0.348, 0.10}},
+    {"lowerteeth", Location::kTeeth, false, false, {0, 0.342, 0.10}},
+    {"chin", Location::kChin, false, false, {0, 0.31, 0.09}},
+    {"underchin", Location::kUnderChin, false, false, {0, 0.30, 0.06}},
+    {"neck", Location::kNeck, false, false, {0, 0.27, 0.04}},
+    {"shouldertop", Location::kShoulder, true, true, {-0.13, 0.25, 0.0}},
+    {"shoulders", Location::kUpperChest, false, true, {0, 0.20, 0.0}},
+    {"chest", Location::kChest, false, true, {0, 0.08, 0.0}},
+    {"stomach", Location::kStomach, false, true, {0, -0.09, 0.0}},
+    {"belowstomach", Location::kLowerStomach, false, true, {0, -0.18, 0.0}},
+    {"neutralspace", Location::kNeutral, false, true, {0, 0.04, 0.0}},
 }};
+
+/// Where the location's own place is, of which `nominal` may be a part: the eye for an eyelid.
+Vec3 nominal_of_location(Location location) {
+  for (const BodyPlace& place : kPlaces)
+    if (place.location == location && place.name != "uppereyelid" && place.name != "upperteeth") return place.nominal;
+  return Vec3(0.0);
+}
 
 const BodyPlace* find_place(std::string_view name) {
   const auto found = std::ranges::find(kPlaces, name, &BodyPlace::name);
@@ -79,8 +86,8 @@ int side_steps(const std::string& side, bool left_hand, const Mark& mark, Findin
   } else if (side == "right_beside") {
     steps = -2;
   } else if (!side.empty() && side != "front") {
-    findings.warning(mark,
-                     "the side " + in_quotes(side) + " of a place on the body is not carried; its front is meant");
+    findings.left_out(mark,
+                      "the side " + in_quotes(side) + " of a place on the body is not carried; its front is meant");
   }
   return left_hand ? -steps : steps;
 }
@@ -105,6 +112,11 @@ void place_in_space(Spot& spot, double x, double above, double depth) {
   spot.contact.reset();
 }
 
+/// From the location's own place to a finer one.
+Vec3 finer(const BodyPlace& place) {
+  return place.nominal - nominal_of_location(place.location);
+}
+
 /// As a right hand's.
 Spot right_hand_spot(const BodyPlace& place, int steps, const WrittenBodySite& site, bool apart, Findings& findings) {
   Spot spot;
@@ -117,19 +129,16 @@ Spot right_hand_spot(const BodyPlace& place, int steps, const WrittenBodySite& s
     const double depth = site.contact == "close"         ? kCloseDepth
                          : site.contact == "armextended" ? kFarDepth
                                                          : kUsualDepth;
-    place_in_space(spot, x, neck_space ? 0.27 : place.above, depth);
+    place_in_space(spot, x, place.nominal.y, depth);
     return spot;
   }
   spot.location = place.location;
-  spot.offset = Vec3(place.x, place.y, 0);
-  if (!place.loss.empty())
-    findings.warning(site.mark, "the place " + in_quotes(place.name) + " is carried as " + std::string(place.loss) +
-                                    " (" + std::string(to_name(place.location)) + ")");
+  if (!place.trunk) spot.offset = finer(place);
   if (place.trunk) {
     // On the trunk itself.
     if (place.location == Location::kNeutral) {
       findings.warning(site.mark, "neutral space cannot be touched; the hand stays before the chest");
-      place_in_space(spot, step_metres(steps, kAtStep, kBesideStep), place.above, kUsualDepth);
+      place_in_space(spot, step_metres(steps, kAtStep, kBesideStep), place.nominal.y, kUsualDepth);
       return spot;
     }
     spot.contact = ContactKind::kTouch;
@@ -137,9 +146,7 @@ Spot right_hand_spot(const BodyPlace& place, int steps, const WrittenBodySite& s
       if (place.name == "shoulders" && steps != 0) spot.offset = Vec3(0, 0, 0);
       if (steps > 0) spot.location = Location::kContraShoulder;
       if (steps < 0) spot.location = Location::kShoulder;
-      if (std::abs(steps) == 2)
-        findings.warning(site.mark, "beside the shoulder is carried as on the shoulder (" +
-                                        std::string(to_name(spot.location)) + ")");
+      if (std::abs(steps) == 2) spot.offset.x += steps > 0 ? 0.04 : -0.04;
     } else if (place.name == "chest" && steps > 0) {
       spot.location = Location::kContraChest;
     } else {
@@ -148,13 +155,17 @@ Spot right_hand_spot(const BodyPlace& place, int steps, const WrittenBodySite& s
     return spot;
   }
   // On the head.
-  const bool sideways = place.location == Location::kEar;
-  spot.outward = sideways ? Vec3(-1, 0, 0) : place.location == Location::kTopHead ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
+  const bool sideways = place.location == Location::kEar || place.location == Location::kEarlobe;
+  spot.outward = sideways                                 ? Vec3(-1, 0, 0)
+                 : place.location == Location::kTopHead   ? Vec3(0, 1, 0)
+                 : place.location == Location::kUnderChin ? Vec3(0, -1, 0.3)
+                                                          : Vec3(0, 0, 1);
   if (place.paired) {
     if (steps > 0) {
       if (sideways) {
-        findings.warning(site.mark, "the left " + std::string(place.name) +
-                                        " is out of the model's words; signed at the right one (ear)");
+        spot.location = Location::kContraEar;
+        spot.outward = Vec3(1, 0, 0);
+        if (place.name == "earlobe") spot.offset.y -= 0.025;
       } else {
         // The other side of the face, measured from this side's place.
         spot.offset.x += place.location == Location::kCheek ? 0.045 : 0.06;
@@ -202,16 +213,15 @@ Spot spot_of(const WrittenBodySite& site, bool left_hand, bool apart, Findings& 
   const std::string name = site.location.empty() ? "neutralspace" : site.location;
   const BodyPlace* place = find_place(name);
   if (place == nullptr) {
-    findings.warning(site.mark, "the place " + in_quotes(name) + " on the body is not known; signed in neutral space");
+    findings.left_out(site.mark, "the place " + in_quotes(name) + " on the body is not known; signed in neutral space");
     return neutral_spot(left_hand, apart);
   }
-  if (site.behind) findings.warning(site.mark, "behind the place " + in_quotes(name) + " is carried as at its front");
   const int steps = side_steps(site.side, left_hand, site.mark, findings);
   Spot spot = right_hand_spot(*place, steps, site, apart, findings);
   if (!site.second_location.empty()) {
     const BodyPlace* second = find_place(site.second_location);
     if (second == nullptr) {
-      findings.warning(site.mark, "the second place " + in_quotes(site.second_location) + " is not known; left out");
+      findings.left_out(site.mark, "the second place " + in_quotes(site.second_location) + " is not known; left out");
     } else {
       const int second_steps = side_steps(site.second_side, left_hand, site.mark, findings);
       const Spot other = right_hand_spot(*second, second_steps, site, apart, findings);
@@ -226,9 +236,31 @@ Spot spot_of(const WrittenBodySite& site, bool left_hand, bool apart, Findings& 
       } else if (spot.location == other.location) {
         spot.offset = (spot.offset + other.offset) * 0.5;
       } else {
-        findings.warning(site.mark, "midway between " + in_quotes(name) + " and " + in_quotes(site.second_location) +
-                                        " is carried as the first (" + std::string(to_name(spot.location)) + ")");
+        // Half of the way between them on a person of usual size. In signing space heights count from its middle, and
+        // depths from the chest.
+        const auto whole = [&above](const BodyPlace& body, const Spot& s) {
+          return s.contact ? nominal_of_location(body.location) + s.offset : Vec3(s.offset.x, above(s), s.offset.z);
+        };
+        const bool first_in_space = !spot.contact;
+        const Vec3 between = 0.5 * (whole(*place, spot) + whole(*second, other));
+        if (first_in_space) {
+          place_in_space(spot, between.x, between.y, between.z);
+        } else {
+          spot.offset = between - nominal_of_location(place->location);
+          // Between the skin and a place that is not touched there is nothing to touch.
+          if (!other.contact) spot.contact = ContactKind::kNear;
+        }
       }
+    }
+  }
+  if (site.behind) {
+    if (!spot.contact) {
+      findings.warning(site.mark,
+                       "behind " + in_quotes(name) + " is signed beside the body, as far back as an arm goes");
+      spot.offset = Vec3(-0.24, spot.offset.y, 0.05);
+    } else {
+      spot.offset.z -= 0.05;
+      spot.contact = ContactKind::kNear;
     }
   }
   return left_hand ? mirrored(spot) : spot;
@@ -238,24 +270,108 @@ bool is_arm_site(const std::string& part) {
   return part == "upperarm" || part == "elbow" || part == "elbowinside" || part == "lowerarm";
 }
 
-HandPart part_of(const WrittenHandSite& site, Findings& findings) {
-  const auto loss = [&](HandPart part) {
-    findings.warning(site.mark, "the part " +
-                                    in_quotes(site.part + (site.digits.empty() ? "" : " of digit " + site.digits)) +
-                                    (site.side.empty() ? "" : ", side " + in_quotes(site.side)) + " is carried as " +
-                                    std::string(to_name(part)));
-    return part;
+namespace {
+
+enum class HandSide { kAny, kPalmar, kDorsal, kRadial, kUlnar };
+
+/// Left and right are the signer's: which side of the hand lies there is a matter of how the hand is held.
+HandSide side_of(const WrittenHandSite& site, const HeldHand& hand, Findings& findings) {
+  const std::string& side = site.side;
+  if (side.empty() || side == "front") return site.behind ? HandSide::kDorsal : HandSide::kAny;
+  if (side == "palmar") return HandSide::kPalmar;
+  if (side == "dorsal" || side == "back") return HandSide::kDorsal;
+  if (side == "radial") return HandSide::kRadial;
+  if (side == "ulnar") return HandSide::kUlnar;
+  double wish = 0;
+  if (side.starts_with("left")) wish = 1;
+  if (side.starts_with("right")) wish = -1;
+  if (wish == 0) {
+    findings.left_out(site.mark, "the side " + in_quotes(side) +
+                                     " of a place on the hand is not known and is left out (expected palmar, dorsal, "
+                                     "radial, ulnar, left_beside or right_beside)");
+    return HandSide::kAny;
+  }
+  // The thumb's side: on a right hand with the fingers up and the palm away it is the left.
+  const double radial = (hand.left_hand ? -1.0 : 1.0) * wish * glm::cross(hand.fingers, hand.palm).x;
+  const double palmar = wish * hand.palm.x;
+  if (std::abs(radial) + 1e-9 >= std::abs(palmar)) return radial >= 0 ? HandSide::kRadial : HandSide::kUlnar;
+  return palmar > 0 ? HandSide::kPalmar : HandSide::kDorsal;
+}
+
+/// Of several digits the one in their middle.
+int middle_digit(std::string_view digits) {
+  std::string sorted(digits);
+  std::ranges::sort(sorted);
+  return sorted[(sorted.size() - 1) / 2] - '1';
+}
+
+/// A place on a digit; none where the part is not one of a digit.
+std::optional<DigitSite> digit_site_of(const WrittenHandSite& site, HandSide side) {
+  using enum DigitFeature;
+  const int digit = site.digits.empty() ? 2 : middle_digit(site.digits);
+  const auto by_side = [side](DigitFeature any, DigitFeature palmar, DigitFeature dorsal, DigitFeature radial,
+                              DigitFeature ulnar) {
+    switch (side) {
+      case HandSide::kPalmar:
+        return palmar;
+      case HandSide::kDorsal:
+        return dorsal;
+      case HandSide::kRadial:
+        return radial;
+      case HandSide::kUlnar:
+        return ulnar;
+      case HandSide::kAny:
+        break;
+    }
+    return any;
   };
+  if (site.part == "tip") return DigitSite{digit, by_side(kTip, kTipPad, kNail, kTipRadial, kTipUlnar)};
+  if (site.part == "nail") return DigitSite{digit, by_side(kNail, kTipPad, kNail, kTipRadial, kTipUlnar)};
+  if (site.part == "pad") return DigitSite{digit, by_side(kTipPad, kTipPad, kNail, kTipRadial, kTipUlnar)};
+  if (site.part == "midjoint")
+    return DigitSite{digit, by_side(kMidDorsal, kMidPalmar, kMidDorsal, kMidRadial, kMidUlnar)};
+  if (site.part == "base")
+    return DigitSite{digit, by_side(kBaseDorsal, kBasePalmar, kBaseDorsal, kBaseRadial, kBaseUlnar)};
+  if (site.part == "side" || (site.part.empty() && !site.digits.empty()))
+    return DigitSite{digit, by_side(kLengthRadial, kLengthPalmar, kLengthDorsal, kLengthRadial, kLengthUlnar)};
+  return std::nullopt;
+}
+
+void tell_middle(const WrittenHandSite& site, Findings& findings) {
+  if (site.digits.size() > 1)
+    findings.note(site.mark, "of the digits " + in_quotes(site.digits) + " the middle one is placed");
+}
+
+void tell_second(const WrittenHandSite& site, Findings& findings) {
+  if (!site.second_part.empty() || !site.second_digits.empty() || !site.second_side.empty())
+    findings.warning(site.mark, "midway between two places on a hand is signed at the first of them");
+}
+
+}  // namespace
+
+HandPart part_of(const WrittenHandSite& site, const HeldHand& hand, Findings& findings) {
+  tell_second(site, findings);
+  const HandSide side = side_of(site, hand, findings);
   const std::string& part = site.part;
   const std::string& digits = site.digits;
-  if (part == "palm") return HandPart::kPalm;
-  if (part == "handback") return HandPart::kBack;
+  if (part == "palm" && digits.empty()) return HandPart::kPalm;
+  if (part == "handback" && digits.empty()) return HandPart::kBack;
   if (part == "thumbside") return HandPart::kRadial;
   if (part == "pinkyside") return HandPart::kUlnar;
-  if (part == "wristback" || part == "wristpulse") return site.side.empty() ? HandPart::kWrist : loss(HandPart::kWrist);
-  if (part == "thumbball") return loss(HandPart::kPalm);
-  if (is_arm_site(part)) return loss(HandPart::kWrist);
-  const auto tips = [&digits]() {
+  if (part == "thumbball") return HandPart::kThumbBall;
+  if (part == "wristpulse" || part == "wristback") {
+    if (side == HandSide::kRadial) return HandPart::kWristRadial;
+    if (side == HandSide::kUlnar) return HandPart::kWristUlnar;
+    if (side == HandSide::kPalmar || part == "wristpulse") return HandPart::kWrist;
+    return HandPart::kWristBack;
+  }
+  if (is_arm_site(part)) {
+    if (part != "lowerarm")
+      findings.warning(site.mark, "the part " + in_quotes(part) + " of the moving arm is placed by the forearm");
+    return HandPart::kForearm;
+  }
+  // The older names, where they say the same.
+  if (part == "tip" && side == HandSide::kAny) {
     if (digits == "1") return HandPart::kThumbTip;
     if (digits == "2") return HandPart::kIndexTip;
     if (digits == "3") return HandPart::kMiddleTip;
@@ -264,78 +380,64 @@ HandPart part_of(const WrittenHandSite& site, Findings& findings) {
     if (digits == "12" || digits == "21") return HandPart::kThumbIndexTips;
     if (digits == "23" || digits == "32") return HandPart::kIndexMiddleTips;
     return HandPart::kFingertips;
-  };
-  const bool plain = site.side.empty();
-  if (part == "tip") return plain ? tips() : loss(tips());
-  if (part == "nail" || part == "pad") return loss(tips());
-  if (part == "midjoint")
-    return digits == "2" && plain ? HandPart::kIndexMidJoint
-           : digits == "2"        ? loss(HandPart::kIndexMidJoint)
-           : digits == "1"        ? loss(HandPart::kThumbSide)
-                                  : loss(HandPart::kFingers);
-  if (part == "base") {
-    if (digits == "2")
-      return site.side == "dorsal" ? HandPart::kIndexKnuckle
-             : plain               ? HandPart::kIndexBase
-                                   : loss(HandPart::kIndexBase);
-    if (digits == "1") return loss(HandPart::kThumbSide);
-    return plain && digits.empty() ? HandPart::kKnuckles : loss(HandPart::kKnuckles);
   }
-  if (part == "side") {
+  if (part == "midjoint" && digits == "2" && side == HandSide::kAny) return HandPart::kIndexMidJoint;
+  if (part == "base" && digits.empty()) return HandPart::kKnuckles;
+  if (part.empty() && side == HandSide::kAny) {
     if (digits == "1") return HandPart::kThumbSide;
     if (digits == "2") return HandPart::kIndexSide;
-    if (digits == "5") return loss(HandPart::kUlnar);
-    return loss(HandPart::kFingers);
+    if (digits == "23" || digits == "32") return HandPart::kIndexMiddle;
+    if (digits.size() > 2) return HandPart::kFingers;
   }
-  // Digits alone: their length.
-  if (part.empty() && digits == "1") return HandPart::kThumbSide;
-  if (part.empty() && digits == "2") return HandPart::kIndexSide;
-  if (part.empty() && (digits == "23" || digits == "32")) return HandPart::kIndexMiddle;
-  if (part.empty() && !digits.empty()) return digits.size() > 1 ? HandPart::kFingers : loss(HandPart::kFingers);
-  findings.warning(site.mark, "the part " + in_quotes(part) + " of the hand is not known; the palm is meant");
+  // Palm and back after a digit are its sides.
+  WrittenHandSite of_digit = site;
+  if (part == "palm" || part == "handback") of_digit.part.clear();
+  const HandSide turned = part == "palm" ? HandSide::kPalmar : part == "handback" ? HandSide::kDorsal : side;
+  if (const auto digit = digit_site_of(of_digit, turned)) {
+    tell_middle(site, findings);
+    return hand_part(*digit);
+  }
+  findings.left_out(site.mark, "the part " + in_quotes(part) + " of the hand is not known; the palm is meant");
   return HandPart::kPalm;
 }
 
-Location on_other_hand(const WrittenHandSite& site, Findings& findings) {
-  const auto loss = [&](Location location) {
-    findings.warning(site.mark, "the place " +
-                                    in_quotes(site.part + (site.digits.empty() ? "" : " of digit " + site.digits)) +
-                                    (site.side.empty() ? "" : ", side " + in_quotes(site.side)) +
-                                    " on the other hand is carried as " + std::string(to_name(location)));
-    return location;
-  };
+Location on_other_hand(const WrittenHandSite& site, const HeldHand& hand, Findings& findings) {
+  tell_second(site, findings);
+  const HandSide side = side_of(site, hand, findings);
   const std::string& part = site.part;
   const std::string& digits = site.digits;
-  const bool inner = site.side == "palmar" || site.side == "front";
-  const bool plain = site.side.empty();
-  if (part == "palm") return Location::kOtherPalm;
-  if (part == "handback") return Location::kOtherBack;
+  if (part == "palm" && digits.empty()) return Location::kOtherPalm;
+  if (part == "handback" && digits.empty()) return Location::kOtherBack;
   if (part == "thumbside") return Location::kOtherRadial;
   if (part == "pinkyside") return Location::kOtherUlnar;
-  if (part == "thumbball") return loss(Location::kOtherPalm);
-  if (part == "wristpulse") return Location::kOtherWristInner;
-  if (part == "wristback")
-    return inner                                                   ? Location::kOtherWristInner
-           : plain || site.side == "dorsal" || site.side == "back" ? Location::kOtherWristBack
-                                                                   : loss(Location::kOtherWristBack);
-  if (part == "lowerarm") return inner ? Location::kOtherForearmInner : Location::kOtherForearmBack;
-  if (part == "upperarm") return plain ? Location::kUpperArm : loss(Location::kUpperArm);
-  if (part == "elbow") return Location::kOtherElbow;
-  if (part == "elbowinside") return loss(Location::kOtherElbow);
-  const auto digit = [&digits]() {
+  if (part == "thumbball") return Location::kOtherThumbBall;
+  if (part == "wristpulse" || part == "wristback") {
+    if (side == HandSide::kRadial) return Location::kOtherWristRadial;
+    if (side == HandSide::kUlnar) return Location::kOtherWristUlnar;
+    if (side == HandSide::kPalmar || part == "wristpulse") return Location::kOtherWristInner;
+    return Location::kOtherWristBack;
+  }
+  if (part == "lowerarm") return side == HandSide::kPalmar ? Location::kOtherForearmInner : Location::kOtherForearmBack;
+  if (part == "upperarm") return Location::kUpperArm;
+  if (part == "elbow") return side == HandSide::kPalmar ? Location::kOtherElbowInside : Location::kOtherElbow;
+  if (part == "elbowinside") return Location::kOtherElbowInside;
+  if (part == "tip" && digits.size() != 1) return Location::kOtherFingertips;
+  if (part == "base" && digits.empty()) return Location::kOtherFistTop;
+  if (part.empty() && side == HandSide::kAny) {
     if (digits == "1") return Location::kOtherThumb;
     if (digits == "2") return Location::kOtherIndex;
     if (digits == "3") return Location::kOtherMiddle;
     if (digits == "4") return Location::kOtherRing;
     if (digits == "5") return Location::kOtherLittle;
-    return Location::kOtherFingertips;
-  };
-  if (part == "tip") return digits.size() == 1 ? loss(digit()) : Location::kOtherFingertips;
-  if (part == "base" && digits.empty()) return loss(Location::kOtherFistTop);
-  if (digits.size() == 1 && part.empty()) return digit();
-  if (!digits.empty()) return loss(digits.size() == 1 ? digit() : Location::kOtherFingertips);
-  if (part == "nail" || part == "pad" || part == "midjoint" || part == "side") return loss(Location::kOtherFingertips);
-  findings.warning(site.mark, "the place " + in_quotes(part) + " on the other hand is not known; its palm is meant");
+  }
+  WrittenHandSite of_digit = site;
+  if (part == "palm" || part == "handback") of_digit.part.clear();
+  const HandSide turned = part == "palm" ? HandSide::kPalmar : part == "handback" ? HandSide::kDorsal : side;
+  if (const auto digit = digit_site_of(of_digit, turned)) {
+    tell_middle(site, findings);
+    return other_location(*digit);
+  }
+  findings.left_out(site.mark, "the place " + in_quotes(part) + " on the other hand is not known; its palm is meant");
   return Location::kOtherPalm;
 }
 
@@ -372,13 +474,11 @@ HandPart facing_part(const Handshape& shape, const Vec3& fingers, const Vec3& pa
 std::optional<ContactKind> contact_of(const std::string& word, const Mark& mark, Findings& findings) {
   if (word == "touch") return ContactKind::kTouch;
   if (word == "close") return ContactKind::kNear;
-  if (word == "interlock" || word == "cross") {
-    findings.warning(mark, "the contact " + in_quotes(word) + " is carried as touching");
-    return ContactKind::kTouch;
-  }
+  if (word == "interlock") return ContactKind::kInterlock;
+  if (word == "cross") return ContactKind::kCross;
   if (!word.empty() && word != "armextended")
-    findings.warning(mark, "the contact " + in_quotes(word) +
-                               " is not known (expected touch, close, interlock, cross or armextended)");
+    findings.left_out(mark, "the contact " + in_quotes(word) +
+                                " is not known (expected touch, close, interlock, cross or armextended)");
   return std::nullopt;
 }
 

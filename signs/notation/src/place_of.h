@@ -20,10 +20,16 @@ Spot spot_of(const WrittenBodySite& site, bool left_hand, bool apart, Findings& 
 /// Where a hand is when nothing is written.
 Spot neutral_spot(bool left_hand, bool two_hands);
 
+/// How a hand is held: on which of its sides the signer's left is.
+struct HeldHand {
+  Vec3 fingers{0, 1, 0}, palm{0, 0, 1};
+  bool left_hand = false;
+};
+
 /// The part of the articulating hand that `site` names.
-HandPart part_of(const WrittenHandSite& site, Findings& findings);
-/// The same place on the other hand or arm, as a location.
-Location on_other_hand(const WrittenHandSite& site, Findings& findings);
+HandPart part_of(const WrittenHandSite& site, const HeldHand& hand, Findings& findings);
+/// The same place on the other hand or arm, as a location; `hand` is that hand.
+Location on_other_hand(const WrittenHandSite& site, const HeldHand& hand, Findings& findings);
 /// True for sites that only the other arm can offer.
 bool is_arm_site(const std::string& part);
 /// The part that touches when none is written: the fingertips that the handshape points with, else the side of the hand

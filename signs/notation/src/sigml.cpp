@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // SiGML files: bounds first, then pugixml, then every sign by its kind.
+#include "converter.h"
 #include "element.h"
 #include "notation/notation.h"
 #include "token_reader.h"
@@ -29,10 +30,10 @@ void read_hns(Element& element, WrittenSign& sign) {
       child.each_child([&](Element& symbol) {
         const HamSymbol* known = find_ham_symbol(symbol.name());
         if (known == nullptr) {
-          findings.warning(symbol.mark(), "the symbol " + in_quotes(symbol.name()) + " is not known and is left out");
+          findings.left_out(symbol.mark(), "the symbol " + in_quotes(symbol.name()) + " is not known and is left out");
         } else if (tokens.size() == kMaxSymbols) {
-          findings.warning(symbol.mark(),
-                           "more than " + std::to_string(kMaxSymbols) + " symbols; the rest is left out");
+          findings.left_out(symbol.mark(),
+                            "more than " + std::to_string(kMaxSymbols) + " symbols; the rest is left out");
           tokens.push_back({known, symbol.mark()});
         } else if (tokens.size() < kMaxSymbols) {
           tokens.push_back({known, symbol.mark()});
@@ -42,11 +43,11 @@ void read_hns(Element& element, WrittenSign& sign) {
       if (tokens.size() > kMaxSymbols) tokens.resize(kMaxSymbols);
       for (const pugi::xml_node& text : child.node().children())
         if (text.type() == pugi::node_pcdata || text.type() == pugi::node_cdata)
-          findings.warning(child.mark(), "text between the symbols is left out: " + in_quotes(text.value()));
+          findings.left_out(child.mark(), "text between the symbols is left out: " + in_quotes(text.value()));
       read_tokens(tokens, child.mark(), sign, findings);
     } else {
-      findings.warning(child.mark(),
-                       "the element " + in_quotes(child.name()) + " is not known in a sign and is left out");
+      findings.left_out(child.mark(),
+                        "the element " + in_quotes(child.name()) + " is not known in a sign and is left out");
     }
   });
 }
@@ -58,19 +59,45 @@ void read_gestural(Element& element, WrittenSign& sign) {
     } else if (child.name() == "sign_manual") {
       read_manual(child, sign);
     } else {
-      child.findings().warning(child.mark(),
-                               "the element " + in_quotes(child.name()) + " is not known in a sign and is left out");
+      child.findings().left_out(child.mark(),
+                                "the element " + in_quotes(child.name()) + " is not known in a sign and is left out");
     }
   });
 }
 
-NotatedSign read_sign(const pugi::xml_node& node, const Lines& lines) {
-  Findings findings;
-  Element element(node, lines, findings);
-  WrittenSign sign;
+/// Everything in it. Bounds on depth were checked before.
+WrittenElement kept(const pugi::xml_node& node) {
+  WrittenElement element;
+  element.name = node.name();
+  for (const pugi::xml_attribute& attribute : node.attributes())
+    element.attributes.emplace_back(attribute.name(), attribute.value());
+  for (const pugi::xml_node& child : node.children()) {
+    if (child.type() == pugi::node_element) {
+      element.children.push_back(kept(child));
+    } else if (child.type() == pugi::node_pcdata || child.type() == pugi::node_cdata) {
+      std::string_view text = child.value();
+      constexpr std::string_view kWhite = " \t\r\n";
+      const size_t first = text.find_first_not_of(kWhite);
+      if (first == std::string_view::npos) continue;
+      text = text.substr(first, text.find_last_not_of(kWhite) - first + 1);
+      // Text that a comment parted is one text.
+      if (!element.children.empty() && element.children.back().name.empty()) {
+        (element.children.back().text += ' ') += text;
+      } else {
+        element.children.emplace_back();
+        element.children.back().text = text;
+      }
+    }
+  }
+  return element;
+}
+
+/// False for what is no sign.
+bool read_written(Element& element, WrittenSign& sign) {
   sign.mark = element.mark();
   sign.gloss = element.text("gloss");
-  element.not_carried({"speed", "timescale", "duration"});
+  sign.pace = read_pace(element);
+  element.not_carried({"duration"});
   element.text("gloss_language");
   element.text("sign_language");
   element.done();
@@ -79,25 +106,56 @@ NotatedSign read_sign(const pugi::xml_node& node, const Lines& lines) {
   } else if (element.name() == "hamgestural_sign" || element.name() == "hamgestural_segment") {
     read_gestural(element, sign);
   } else {
+    return false;
+  }
+  return true;
+}
+
+NotatedSign read_sign(const pugi::xml_node& node, const Lines& lines) {
+  Findings findings;
+  Element element(node, lines, findings);
+  WrittenSign sign;
+  if (!read_written(element, sign)) {
     NotatedSign refused;
+    refused.written = kept(node);
     refused.sign.gloss = sign.gloss.empty() ? "UNNAMED" : sign.gloss;
     findings.error(element.mark(), "the element " + in_quotes(element.name()) +
                                        " is not a sign that can be signed (expected hns_sign or hamgestural_sign)");
     refused.diagnostics = findings.take();
     return refused;
   }
-  return sign_of(sign, findings);
+  NotatedSign result = sign_of(sign, findings);
+  result.written = kept(node);
+  return result;
 }
 
+constexpr unsigned kParsed = pugi::parse_escapes | pugi::parse_wconv_attribute | pugi::parse_eol | pugi::parse_cdata;
+
 }  // namespace
+
+namespace notation {
+
+WrittenSign written_sign(const WrittenElement& element, Findings& findings) {
+  const std::string text = text_of(element);
+  WrittenSign sign;
+  const Lines lines(text);
+  pugi::xml_document document;
+  if (!document.load_buffer(text.data(), text.size(), kParsed, pugi::encoding_utf8)) {
+    findings.error({}, "the sign cannot be read again");
+    return sign;
+  }
+  Element root(document.document_element(), lines, findings);
+  read_written(root, sign);
+  return sign;
+}
+
+}  // namespace notation
 
 Result<std::vector<NotatedSign>> parse_sigml(std::string_view text, const std::string& name) {
   if (auto broken = find_broken_bound(text, name)) return tl::unexpected(*broken);
   const Lines lines(text);
   pugi::xml_document document;
-  const pugi::xml_parse_result parsed = document.load_buffer(
-      text.data(), text.size(), pugi::parse_escapes | pugi::parse_wconv_attribute | pugi::parse_eol | pugi::parse_cdata,
-      pugi::encoding_utf8);
+  const pugi::xml_parse_result parsed = document.load_buffer(text.data(), text.size(), kParsed, pugi::encoding_utf8);
   if (!parsed) {
     const size_t offset = parsed.offset > 0 ? static_cast<size_t>(parsed.offset) : 0;
     return fail(ErrorCode::kMalformed, "not well-formed XML: " + std::string(parsed.description()),

@@ -9,8 +9,6 @@
 namespace auslan::notation {
 namespace {
 
-// Rounding to 26 directions below this angle is not worth telling.
-constexpr double kToldRounding = 5.0;
 bool same(const Vec3& a, const Vec3& b) {
   const Vec3 d = a - b;
   return glm::dot(d, d) < 1e-12;
@@ -32,8 +30,8 @@ Posture Layout::posture_of(const Phase& phase, size_t which, bool symmetric) {
   const Hand& hand = phase.hands[which];
   Posture posture;
   posture.handshape = hand.shape.id;
-  posture.fingers = nearest_direction(hand.fingers);
-  posture.palm = nearest_palm(hand.palm, posture.fingers);
+  posture.fingers = to_direction(hand.fingers);
+  posture.palm = palm_direction(hand.palm, hand.fingers);
   posture.location = hand.spot.location;
   posture.offset = hand.spot.offset;
   const auto at = [&](ContactKind kind) {
@@ -60,6 +58,9 @@ Posture Layout::posture_of(const Phase& phase, size_t which, bool symmetric) {
   // Space has a front: nothing is signed inside the chest.
   const bool in_space = posture.location >= Location::kHighNeutral && posture.location <= Location::kContraSpace;
   if (in_space) posture.offset.z = std::clamp(posture.offset.z, 0.05, 0.60);
+  // To a micrometre, as the lexicon's text has it.
+  for (glm::length_t i = 0; i < 3; ++i)
+    posture.offset[i] = std::round(posture.offset[i] * 1e6) / 1e4 / 100.0;
   return posture;
 }
 
@@ -137,16 +138,8 @@ NotatedSign Layout::run() {
   }
   for (Movement& movement : movements_)
     if (mirror && movement.hands == MovingHands::kBoth && alternating_) movement.hands = MovingHands::kAlternating;
+  if (!mirror) part_hands();
   sign.movements = movements_;
-  double worst = 0;
-  for (size_t i = 0; i < phases_.size(); ++i)
-    for (size_t hand = 0; hand < (sign.non_dominant.empty() ? 1U : 2U); ++hand) {
-      const Posture& posture = hand == 0 ? sign.dominant[i] : sign.non_dominant[i];
-      worst = std::max({worst, angle_deg(to_vector(posture.fingers), phases_[i].hands[hand].fingers)});
-    }
-  if (worst > kToldRounding)
-    findings_.note(written_.mark, "finger directions between the model's 26 are rounded, by up to " +
-                                      std::to_string(static_cast<int>(worst + 0.5)) + " degrees");
   result_.signable = true;
   return std::move(result_);
 }

@@ -133,7 +133,13 @@ std::span<const HamSymbol> ham_symbols() {
 const HamSymbol* find_ham_symbol(std::string_view name) {
   for (const auto& [alias, meant] : kAliases)
     if (name == alias) name = meant;
-  const auto found = std::ranges::find(kSymbols, name, &HamSymbol::name);
+  auto found = std::ranges::find(kSymbols, name, &HamSymbol::name);
+  if (found == std::end(kSymbols)) {
+    // Some files have capitals in the middle of a name.
+    const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+    found = std::ranges::find_if(
+        kSymbols, [&](const HamSymbol& symbol) { return std::ranges::equal(symbol.name, name, {}, {}, small); });
+  }
   return found == std::end(kSymbols) ? nullptr : &*found;
 }
 

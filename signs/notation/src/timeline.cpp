@@ -20,9 +20,11 @@ class Unroller {
     for (Stroke& stroke : strokes) {
       stroke.alternating = stroke.alternating || motion.alternating;
       stroke.fast = stroke.fast || motion.fast;
-      stroke.slow = stroke.slow || motion.slow || motion.tense || motion.rest;
+      stroke.slow = stroke.slow || motion.slow;
+      stroke.tense = stroke.tense || motion.tense;
       stroke.halt = stroke.halt || motion.halt;
     }
+    if (!strokes.empty()) strokes.back().rest = strokes.back().rest || motion.rest;
     if (strokes.size() > kMaxStrokes) cut(motion.mark, strokes);
     return strokes;
   }
@@ -40,7 +42,7 @@ class Unroller {
  private:
   void cut(const Mark& mark, Timeline& strokes) {
     strokes.resize(kMaxStrokes);
-    if (!told_) findings_.warning(mark, "more than " + std::to_string(kMaxStrokes) + " strokes; the rest is left out");
+    if (!told_) findings_.left_out(mark, "more than " + std::to_string(kMaxStrokes) + " strokes; the rest is left out");
     told_ = true;
   }
 
@@ -56,6 +58,8 @@ class Unroller {
       stroke.alternating = stroke.alternating || other.alternating;
       stroke.fast = stroke.fast || other.fast;
       stroke.slow = stroke.slow || other.slow;
+      stroke.tense = stroke.tense || other.tense;
+      stroke.rest = stroke.rest || other.rest;
       stroke.halt = stroke.halt || other.halt;
     }
   }
@@ -64,6 +68,8 @@ class Unroller {
     Timeline strokes;
     switch (motion.kind) {
       case WrittenMotion::Kind::kSequence:
+        if (motion.fused && motion.parts.size() > 1)
+          findings_.warning(motion.mark, "a fused sequence is signed as a plain one: with a stop between its parts");
         for (const WrittenMotion& part : motion.parts)
           append(strokes, unroll(part, hands), motion.mark);
         break;
@@ -85,7 +91,8 @@ class Unroller {
         strokes = repeat(motion, hands);
         break;
       default:
-        strokes.push_back({{{&motion, nullptr, hands}}});
+        strokes.emplace_back();
+        strokes.back().items.push_back({&motion, nullptr, hands});
         break;
     }
     return strokes;
@@ -99,19 +106,27 @@ class Unroller {
     const std::string& kind = motion.repetition;
     int times = 2;
     if (kind == "fromstart_several" || kind == "continue_several" || kind == "manyrandom") times = 3;
-    if (kind == "manyrandom" || kind == "swap")
-      findings_.warning(motion.mark, "the repetition " + in_quotes(kind) + " is carried as a plain one");
+    if (kind == "manyrandom") times = 4;
+    if (kind == "swap")
+      findings_.left_out(motion.mark, "the repetition \"swap\" is signed as a plain one: the hands keep their parts");
+    // Between once more and several times: several are not many.
+    if (!motion.second_repetition.empty() && motion.second_repetition.ends_with("_several")) times = 3;
     if (kind == "reverse" || kind == "tofroto") {
       // Back to where it began; to-fro-to then goes there once more.
       Timeline strokes = once;
-      strokes.push_back({{}, 1, 0});
+      strokes.emplace_back();
+      strokes.back().restart_from = 0;
       if (kind == "tofroto") append(strokes, once, motion.mark);
       return strokes;
     }
     const bool goes_on = kind == "continue" || kind == "continue_several";
     if (!goes_on && kind != "fromstart" && kind != "fromstart_several" && kind != "manyrandom" && kind != "swap")
-      findings_.warning(motion.mark, "the repetition " + in_quotes(kind) + " is not known; the movement is made twice");
-    if (once.size() == 1 && !goes_on) {
+      findings_.left_out(motion.mark, "the repetition " + in_quotes(kind) +
+                                          " is not known; the movement is made twice (expected fromstart, "
+                                          "fromstart_several, continue, continue_several, reverse, tofroto or "
+                                          "manyrandom)");
+    const bool varies = !motion.shift.empty() || !motion.repetition_growth.empty();
+    if (once.size() == 1 && !goes_on && !varies) {
       once.front().repeats = std::min(kMaxRepeats, once.front().repeats * times);
       return once;
     }
@@ -119,7 +134,16 @@ class Unroller {
     for (int i = 1; i < times && strokes.size() < kMaxStrokes; ++i) {
       const size_t at = strokes.size();
       append(strokes, once, motion.mark);
-      if (!goes_on && at < strokes.size()) strokes[at].restart_from = 0;
+      if (at >= strokes.size()) break;
+      if (!goes_on) strokes[at].restart_from = 0;
+      strokes[at].mark = motion.mark;
+      strokes[at].shift = motion.shift;
+      strokes[at].shift_size = motion.shift_size.empty() ? "small" : motion.shift_size;
+      strokes[at].shifts = i;
+      const double step = motion.repetition_growth_size == "big" ? 1.6 : 1.3;
+      for (size_t k = at; k < strokes.size() && !motion.repetition_growth.empty(); ++k)
+        for (int n = 0; n < i; ++n)
+          strokes[k].scale *= motion.repetition_growth == "increasing" ? step : 1.0 / step;
     }
     return strokes;
   }

@@ -23,7 +23,11 @@ struct Stroke {
   int repeats = 1;
   int restart_from = -1;  ///< before this stroke the hands go back to where stroke number `restart_from` began
   bool alternating = false;
-  bool halt = false, fast = false, slow = false;
+  bool halt = false, fast = false, slow = false, tense = false, rest = false;
+  Mark mark;
+  double scale = 1;               ///< of the lengths of its paths
+  std::string shift, shift_size;  ///< where it restarts the hands go farther on by `shifts` of these
+  int shifts = 0;
 };
 
 /// The motions must outlive the result. More than a bounded number of strokes is cut, with a warning.

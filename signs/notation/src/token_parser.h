@@ -55,8 +55,9 @@ class TokenReader {
   void skip(std::string_view why) {
     const std::string_view value = tokens_[at_].symbol->value;
     if (kind() != kOther || !value.empty())
-      findings_.warning(mark(), "the symbol " + in_quotes(tokens_[at_].symbol->name) +
-                                    (kind() == kOther ? " (" + std::string(value) + ")" : "") + " " + std::string(why));
+      findings_.left_out(mark(), "the symbol " + in_quotes(tokens_[at_].symbol->name) +
+                                     (kind() == kOther ? " (" + std::string(value) + ")" : "") + " " +
+                                     std::string(why));
     ++at_;
   }
   /// What a bracket is about: the first symbol inside it.

@@ -32,6 +32,7 @@ void TokenReader::read_one_shape(WrittenShape& shape) {
     } else if (kind() == kDigit && !shape.base.empty()) {
       // A digit before or after a part of a finger: the two fingers touch or cross.
       if (kind(1) == kFingerPart && kind(2) == kDigit) {
+        shape.contact_kind = tokens_[at_ + 1].symbol->value;
         shape.crossed = value() + std::string(tokens_[at_ + 2].symbol->value);
         at_ += 3;
         continue;
@@ -41,11 +42,16 @@ void TokenReader::read_one_shape(WrittenShape& shape) {
       std::string& digits = bent && !pinch ? shape.exempt : shape.special;
       if (digits.find(last_digit) == std::string::npos) digits += last_digit;
     } else if (kind() == kFingerPart && !shape.base.empty() && !shape.thumb.empty()) {
-      findings_.warning(mark(), "the part of the finger that the thumb touches is not carried");
+      shape.thumb_contact = value();
     } else {
       break;
     }
     ++at_;
+  }
+  // On a grip like a C the thumb says how far it is open.
+  if (shape.base.starts_with("cee") && shape.thumb != "out" && !shape.thumb.empty()) {
+    shape.opening = shape.thumb == "across" ? "tight" : "slack";
+    shape.thumb.clear();
   }
 }
 
@@ -87,14 +93,18 @@ WrittenHandSite TokenReader::read_hand_site() {
       if (site.digits.find(value()) == std::string::npos) site.digits += value();
     } else if (kind() == kFingerPart) {
       if (!site.part.empty() && site.part != value())
-        findings_.warning(mark(), "a second part of the hand at one place; " + in_quotes(value()) + " is left out");
+        findings_.left_out(mark(), "a second part of the hand at one place; " + in_quotes(value()) + " is left out");
       if (site.part.empty()) site.part = value();
     } else if (kind() == kHandSite) {
       // After a part of a finger, palm and back of the hand say on which side.
       if (site.part.empty() && site.digits.empty()) {
         site.part = value();
       } else {
-        site.side = value() == "palm" ? "palmar" : value() == "handback" ? "dorsal" : value();
+        site.side = value() == "palm"        ? "palmar"
+                    : value() == "handback"  ? "dorsal"
+                    : value() == "thumbside" ? "radial"
+                    : value() == "pinkyside" ? "ulnar"
+                                             : value();
       }
     } else if (kind() == kSide) {
       // Before what it belongs to the left, after it the right; a digit or part must follow or have come.
@@ -181,7 +191,7 @@ void TokenReader::read_place(WrittenPosture& posture, size_t hand, bool split) {
     ++at_;
   }
   if (site.part.empty() && site.digits.empty()) {
-    findings_.warning(start, "a side mark without a place is left out");
+    findings_.left_out(start, "a side mark without a place is left out");
     return;
   }
   if (split) {
@@ -283,7 +293,7 @@ void TokenReader::read_posture(WrittenPosture& posture, bool top) {
         posture.body[0]->with = site;
         if (!contact.empty()) posture.body[0]->contact = contact;
       } else {
-        findings_.warning(site.mark, "a part of the hand without a place to put it is left out");
+        findings_.left_out(site.mark, "a part of the hand without a place to put it is left out");
       }
       while (more() && kind() != kSequenceEnd && !action_here())
         skip("is out of order and left out");

@@ -23,7 +23,7 @@ void TokenReader::read_symmetry(WrittenPart& part) {
       ++at_;
     } else if (seen && kind() == kSize) {
       if (value() == "big") part.mirror_ud = true;
-      if (value() != "big") findings_.warning(mark(), "a small symmetry is not known; left out");
+      if (value() != "big") findings_.left_out(mark(), "a small symmetry is not known; left out");
       ++at_;
     } else if (seen && kind() == kBend) {
       part.mirror_oi = true;
@@ -44,18 +44,20 @@ void TokenReader::read_symmetry(WrittenPart& part) {
 }
 
 void TokenReader::read_modifiers(WrittenMotion& motion) {
-  bool on_curve = false;
+  // A size belongs to what stands before it.
+  std::string* size = &motion.size;
   while (more()) {
     switch (kind()) {
       case kSize:
-        (on_curve ? motion.curve_size : motion.size) = value();
+        *size = value();
         break;
       case kArc:
         motion.curve = value();
-        on_curve = true;
+        size = &motion.curve_size;
         break;
       case kWaviness:
         motion.waviness = value();
+        size = &motion.waviness_size;
         break;
       case kClock:
         (motion.clock_start.empty() ? motion.clock_start : motion.clock_end) = value();
@@ -64,9 +66,13 @@ void TokenReader::read_modifiers(WrittenMotion& motion) {
         ++motion.extra_turns;
         break;
       case kEllipse:
+        motion.ellipse = value();
+        size = &motion.ellipse_size;
+        break;
       case kGrowth:
-        skip("is not carried");
-        continue;
+        motion.growth = value();
+        size = &motion.growth_size;
+        break;
       case kManner: {
         const std::string manner = value();
         motion.fast = motion.fast || manner == "fast";
@@ -121,7 +127,7 @@ void TokenReader::read_repeats(WrittenMotion& motion) {
          inner = &inner->parts[0])
       ++levels;
     if (levels >= 3) {
-      findings_.warning(repeat.mark, "a repetition of a repetition of a repetition is left out");
+      findings_.left_out(repeat.mark, "a repetition of a repetition of a repetition is left out");
       continue;
     }
     repeat.parts.push_back(std::move(motion));
@@ -149,7 +155,7 @@ WrittenMotion TokenReader::read_group(int depth) {
   group.mark = mark();
   const SymbolKind begin = kind();
   const SymbolKind end = begin == kParallelBegin ? kParallelEnd : begin == kSequenceBegin ? kSequenceEnd : kFusionEnd;
-  if (begin == kFusionBegin) findings_.warning(mark(), "a fused sequence is carried as a plain one");
+  group.fused = begin == kFusionBegin;
   ++at_;
   std::vector<std::vector<WrittenMotion>> sides(1);
   while (more() && kind() != end) {
@@ -217,10 +223,10 @@ std::optional<WrittenMotion> TokenReader::read_action(int depth) {
     case kFingerplay: {
       motion.kind = Kind::kFingerplay;
       ++at_;
-      if (more() && kind() == kDigit)
-        findings_.warning(mark(), "fingerplay of some digits is carried as that of all fingers");
-      while (more() && kind() == kDigit)
+      while (more() && kind() == kDigit) {
+        if (motion.digits.find(value()) == std::string::npos) motion.digits += value();
         ++at_;
+      }
       read_modifiers(motion);
       break;
     }
@@ -234,9 +240,12 @@ std::optional<WrittenMotion> TokenReader::read_action(int depth) {
       read_modifiers(motion);
       read_posture(motion.target, false);
       if (more() && (kind() == kManner || kind() == kGrowth)) read_modifiers(motion);
+      // A change that grows or shrinks goes from finger to finger.
+      if (!motion.growth.empty() && motion.target.shared.shape)
+        motion.target.shared.shape->successive = motion.growth == "increasing" ? "towards_pinky" : "towards_thumb";
       break;
     case kBrushing:
-      findings_.warning(mark(), "brushing without a movement is left out");
+      findings_.left_out(mark(), "brushing without a movement is left out");
       ++at_;
       return std::nullopt;
     default:
@@ -273,7 +282,7 @@ void TokenReader::read_part() {
       read_repeats(part.motions.back());
     } else if (kind() == kRepeat || kind() == kAlternating) {
       if (kind() == kAlternating) part.out_of_phase = true;
-      if (kind() == kRepeat) findings_.warning(mark(), "a repetition without a movement before it is left out");
+      if (kind() == kRepeat) findings_.left_out(mark(), "a repetition without a movement before it is left out");
       ++at_;
     } else if (!part.motions.empty() &&
                (starts_posture(kind()) || (kind() == kParallelBegin && starts_posture(first_inside(0))))) {

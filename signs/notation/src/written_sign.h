@@ -24,13 +24,18 @@ class Findings {
   void error(const Mark& mark, std::string message) { add(Diagnostic::Grade::kError, mark, std::move(message)); }
   void warning(const Mark& mark, std::string message) { add(Diagnostic::Grade::kWarning, mark, std::move(message)); }
   void note(const Mark& mark, std::string message) { add(Diagnostic::Grade::kNote, mark, std::move(message)); }
+  /// A warning that something which is written has no part in what is signed.
+  void left_out(const Mark& mark, std::string message) {
+    add(Diagnostic::Grade::kWarning, mark, std::move(message), true);
+  }
   /// What was found, with a last line that counts what was not kept.
   std::vector<Diagnostic> take();
 
  private:
-  void add(Diagnostic::Grade grade, const Mark& mark, std::string message);
+  void add(Diagnostic::Grade grade, const Mark& mark, std::string message, bool left_out = false);
   std::vector<Diagnostic> kept_;
   size_t left_off_ = 0;
+  bool lost_ = false;  ///< something was left out in what was not kept
 };
 
 /// Text of a file inside a message: cut to a readable length.
@@ -47,6 +52,10 @@ struct WrittenShape {
   std::string opening;                    ///< tight, slack
   std::string splay;                      ///< 0, 1, 2
   std::string crossed;                    ///< two digits
+  std::string contact_kind;               ///< with which part of the second the two digits touch
+  std::string opposed;                    ///< the digit that the thumb opposes
+  std::string thumb_contact;              ///< the part of the finger that the thumb touches
+  std::string successive;                 ///< towards_pinky, towards_thumb: the fingers change one after another
   std::string thumb_between;              ///< two digits
   bool thumb_enclosed = false;
 
@@ -59,6 +68,7 @@ struct WrittenHand {
   std::optional<WrittenShape> shape, second_shape;
   std::string fingers, second_fingers;  ///< extended finger direction letters
   std::string palm, second_palm;        ///< palm letters
+  bool palm_absolute = false;           ///< the palm letters are the direction itself, whatever the fingers do
   bool empty() const;
   /// Later words of one posture complete the earlier ones.
   void merge(const WrittenHand& more);
@@ -71,6 +81,9 @@ struct WrittenHandSite {
   std::string digits;
   std::string side;  ///< palmar, dorsal, radial, ulnar …
   std::string contact;
+  std::string second_part, second_digits, second_side;  ///< midway to this place
+  bool behind = false;
+  std::vector<WrittenHandSite> with;  ///< at most one: the part of the moving hand
 };
 
 /// A place on head or trunk.
@@ -80,7 +93,9 @@ struct WrittenBodySite {
   std::string side, second_side;  ///< left_beside, left_at, right_at, right_beside
   std::string contact;            ///< touch, close, armextended
   bool behind = false;
-  std::optional<WrittenHandSite> with;  ///< the part of the moving hand
+  std::string name;                        ///< by which the place may be used again
+  std::optional<WrittenHandSite> on_hand;  ///< the place is on the other hand or arm
+  std::optional<WrittenHandSite> with;     ///< the part of the moving hand
 };
 
 /// The two hands at each other.
@@ -101,6 +116,7 @@ struct WrittenPosture {
   bool split_body = false;
   std::optional<WrittenHandSite> on_other;  ///< the dominant hand is placed at the other hand or arm
   std::optional<WrittenMeeting> meeting;
+  std::string use_name;  ///< a place that was named before
   bool empty() const;
   bool has_shape() const { return shared.shape || split[0].shape; }
 };
@@ -126,12 +142,21 @@ struct WrittenMotion {
   std::string size, second_size;            ///< small, big
   std::string curve, curve_size;
   std::string waviness;  ///< wavy, zigzag
+  std::string waviness_size, waviness_growth;
   std::string clock_start, clock_end;
   int extra_turns = 0;
+  std::string ellipse, ellipse_size;  ///< h, ur, v, ul: the longer axis on the circle's face
+  std::string growth, growth_size;    ///< increasing, decreasing
+  std::string digits;                 ///< of fingerplay
+  double pace = 1;                    ///< twice as fast: 2
+  bool fused = false;                 ///< of a sequence: no stop between its parts
   bool fast = false, slow = false, tense = false, rest = false, halt = false, alternating = false, brushing = false;
-  std::string repetition;            ///< of kRepeat
-  std::vector<WrittenMotion> parts;  ///< of the structured kinds; two of kSplit
-  WrittenPosture target;             ///< of kTarget
+  std::string repetition, second_repetition;  ///< of kRepeat
+  std::string repetition_growth, repetition_growth_size;
+  std::string shift, shift_size;        ///< of kRepeat: by which each repetition begins farther on
+  std::vector<WrittenPosture> brushed;  ///< places that are brushed in passing
+  std::vector<WrittenMotion> parts;     ///< of the structured kinds; two of kSplit
+  WrittenPosture target;                ///< of kTarget
 };
 
 /// One manual part; a compound sign has several.
@@ -148,6 +173,7 @@ struct WrittenSign {
   std::string gloss;
   std::vector<WrittenPart> parts;
   NonManual non_manual;
+  double pace = 1;
 };
 
 /// What the sign means in the model. Total: what cannot be carried is told to `findings`.

@@ -26,12 +26,13 @@ constexpr std::string_view kExamples =
     "  auslanjam db search hospital                        look a sign up\n"
     "  auslanjam avatar figure.vrm                         what another maker's figure can do\n"
     "  auslanjam check HURT                                how well it is signed, in numbers\n"
+    "  auslanjam notation signs.sigml                      what is understood of SiGML or HamNoSys\n"
     "  auslanjam bench                                     what a frame costs here\n"
     "`auslanjam COMMAND --help` tells what each takes. Exit status: 0 done, 1 the work failed, 2 the command line was "
     "wrong.\n";
 
-constexpr std::array<std::string_view, 9> kCommands = {"sign",       "render", "motion", "translate", "db",
-                                                       "experiment", "bench",  "avatar", "check"};
+constexpr std::array<std::string_view, 10> kCommands = {"sign",       "render", "motion", "translate", "db",
+                                                        "experiment", "bench",  "avatar", "check",     "notation"};
 
 /// A whole number in a range, or a message that names it.
 std::string parse_int(const std::string& text, int least, int most, int& value) {
@@ -259,6 +260,24 @@ void add_check(CLI::App& app, Options& options) {
       "  auslanjam check --avatar figure.vrm --json");
 }
 
+void add_notation(CLI::App& app, Options& options) {
+  app.add_option("FILE", options.source.sigml_file, "SiGML, of either kind (hns_sign, hamgestural_sign)");
+  app.add_option("--hamnosys", options.source.hamnosys, "A sign in HamNoSys (symbols or their names) in place of FILE")
+      ->type_name("STRING");
+  app.add_option("--to", options.notation,
+                 "Write it as SiGML with symbols (hns) or attributes (gestural), as strings of HamNoSys symbols "
+                 "(hamnosys), or as the lexicon's own text (text)")
+      ->check(CLI::IsMember({"hns", "gestural", "hamnosys", "text"}));
+  app.add_option("-o,--output", options.output, "Where it is written, in place of stdout")->type_name("FILE");
+  app.footer(
+      "Each finding has its line and column: an error (cannot be signed), a warning (signed with the stated "
+      "assumption, or without what is said to be left out) or a note.\n"
+      "Examples:\n"
+      "  auslanjam notation signs.sigml\n"
+      "  auslanjam notation signs.sigml --to gestural -o other.sigml\n"
+      "  auslanjam notation --hamnosys hamflathand,hamextfingeru,hampalmd,hammoveo --to text");
+}
+
 void add_common(CLI::App& app, Options& options) {
   app.add_option("--db", options.database, "Another lexicon database")->type_name("FILE");
   app.add_flag("--quiet", options.quiet, "No progress, no remarks");
@@ -284,6 +303,11 @@ std::string check(const Options& options) {
       if (sources == 0) return "there is no TEXT to sign: give English in quotes, as auslanjam \"Where does it hurt?\"";
       if (sources > 1) return "give only one of TEXT, --gloss, --sigml, --hamnosys and --motion";
       if (source.text && is_blank(*source.text)) return "the TEXT is empty: give English to sign";
+      break;
+    case Command::kNotation:
+      if (sources != 1) return "notation takes one FILE of SiGML, or --hamnosys STRING";
+      if (options.notation.empty() && !options.output.empty())
+        return "notation -o needs --to, which says what to write";
       break;
     default:
       break;
@@ -342,6 +366,9 @@ std::variant<Options, ExitNow> parse_command_line(int argc, const char* const* a
   CLI::App* check_signs = app.add_subcommand(
       "check", "Measure how well entries are signed: contact, body parts inside each other, directions, joints, speed");
   add_check(*check_signs, options);
+  CLI::App* notation =
+      app.add_subcommand("notation", "Tell what is understood of signs in SiGML or HamNoSys, or write them otherwise");
+  add_notation(*notation, options);
   CLI::App* db = app.add_subcommand("db", "Look into the lexicon");
   db->require_subcommand(1);
   CLI::App* list = db->add_subcommand("list", "List the entries");
@@ -354,8 +381,8 @@ std::variant<Options, ExitNow> parse_command_line(int argc, const char* const* a
   CLI::App* search = db->add_subcommand("search", "Search glosses, English words and definitions");
   search->add_option("WORDS", options.words, "What to look for")->required();
   CLI::App* check_db = db->add_subcommand("check", "Check the database against its rules");
-  for (CLI::App* sub :
-       {sign, render, motion, translate, experiment, bench, avatar, check_signs, list, show, search, check_db})
+  for (CLI::App* sub : {sign, render, motion, translate, experiment, bench, avatar, check_signs, notation, list, show,
+                        search, check_db})
     add_common(*sub, options);
 
   // `auslanjam TEXT` is `auslanjam sign TEXT`.
@@ -388,6 +415,7 @@ std::variant<Options, ExitNow> parse_command_line(int argc, const char* const* a
   if (*experiment) options.command = Command::kExperiment;
   if (*avatar) options.command = Command::kAvatar;
   if (*check_signs) options.command = Command::kCheck;
+  if (*notation) options.command = Command::kNotation;
   if (*bench) options.command = Command::kBench;
   if (*bench && !options.source.text) options.source.text = "Where does it hurt?";
   if (*list) options.command = Command::kDbList;

@@ -17,6 +17,7 @@ Result<void> run_experiment(const Options& options);
 Result<void> run_avatar(const Options& options);
 Result<void> run_bench(const Options& options);
 Result<void> run_check(const Options& options);
+Result<void> run_notation(const Options& options);
 /// In place of any command that takes --appearance, where that is "list".
 Result<void> list_appearances(const Options& options);
 

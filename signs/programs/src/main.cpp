@@ -48,6 +48,8 @@ auslan::Result<void> run(const auslan::Options& options) {
       return auslan::run_bench(options);
     case kCheck:
       return auslan::run_check(options);
+    case kNotation:
+      return auslan::run_notation(options);
     case kDbList:
     case kDbShow:
     case kDbSearch:

@@ -24,7 +24,8 @@ enum class Command {
   kExperiment,
   kBench,
   kAvatar,
-  kCheck
+  kCheck,
+  kNotation
 };
 
 /// What is to be signed: exactly one of these.
@@ -63,6 +64,7 @@ struct Options {
   // check
   std::string exceptions;        ///< a list in place of the built-in one; empty: that, for the built-in figure
   std::string write_exceptions;  ///< where to write what breaks a limit; empty: nowhere
+  std::string notation;  ///< for the command notation: hns, gestural, hamnosys, text; empty: only what was found
   // db
   std::vector<std::string> words;  ///< the glosses to show, the words to search
   std::string kind, category, region;

@@ -13,14 +13,14 @@ namespace {
 // Heights on the face as fractions of the distance from chin (0) to the top of the head (1): the classical canon, in
 // which the eyes lie half way.
 constexpr double kMouth = 0.19, kNoseTip = 0.34, kCheekHeight = 0.30, kCheekbone = 0.41, kEyes = 0.50,
-                 kTempleHeight = 0.56, kForehead = 0.73;
+                 kTempleHeight = 0.56, kForehead = 0.73, kBrows = 0.58, kNoseBase = 0.31, kLip = 0.035;
 // The usual distance of a hand from the chest where an entry states none, metres.
 constexpr double kNeutralDistance = 0.22;
 
 }  // namespace
 
 bool is_on_head(Location location) {
-  return location <= Location::kChin;
+  return location <= Location::kUnderChin;
 }
 
 bool is_in_space(Location location) {
@@ -108,6 +108,9 @@ Site BodySites::site(Location location, Side side, const Vec3& offset, bool on_s
     case Location::kForehead:
       target = Vec3(0, face(kForehead), head_z_);
       break;
+    case Location::kEyebrow:
+      target = Vec3(s * 0.42 * w, face(kBrows), head_z_);
+      break;
     case Location::kTemple:
       target = Vec3(0, face(kTempleHeight), head_z_);
       from = Vec3(s * 1.0, 0, 0.75);
@@ -126,6 +129,9 @@ Site BodySites::site(Location location, Side side, const Vec3& offset, bool on_s
     case Location::kNose:
       target = Vec3(0, face(kNoseTip), head_z_);
       break;
+    case Location::kNostrils:
+      target = Vec3(0, face(kNoseBase), head_z_);
+      break;
     case Location::kFace:
       target = Vec3(0, face(kNoseTip), head_z_);
       break;
@@ -137,11 +143,32 @@ Site BodySites::site(Location location, Side side, const Vec3& offset, bool on_s
       target = Vec3(0, face(kNoseTip + 0.06), head_z_ - 0.005);
       from = Vec3(s * 1.0, 0, 0);
       break;
+    case Location::kEarlobe:
+      target = Vec3(0, face(kNoseTip - 0.06), head_z_ - 0.003);
+      from = Vec3(s * 1.0, 0, 0);
+      break;
+    case Location::kContraEar:
+      target = Vec3(0, face(kNoseTip + 0.06), head_z_ - 0.005);
+      from = Vec3(-s * 1.0, 0, 0);
+      break;
+    case Location::kUpperLip:
+      target = Vec3(0, face(kMouth + kLip), head_z_);
+      break;
+    case Location::kLowerLip:
+      target = Vec3(0, face(kMouth - kLip), head_z_);
+      break;
+    case Location::kTeeth:
+    case Location::kTongue:
     case Location::kMouth:
       target = Vec3(0, face(kMouth), head_z_);
       break;
     case Location::kChin:
       target = Vec3(0, face(0.05), head_z_);
+      break;
+    case Location::kUnderChin:
+      // From the front and below: from right below a ray may pass through where head and neck meet.
+      target = Vec3(0, face(-0.02), head_z_ + 0.05);
+      from = Vec3(0, -1, 1);
       break;
     case Location::kNeck:
       target = Vec3(0, 0.45 * chin_y_ + 0.55 * shoulder_y, head_z_);
@@ -154,11 +181,17 @@ Site BodySites::site(Location location, Side side, const Vec3& offset, bool on_s
       target = Vec3(-s * 0.72 * shoulder_x, shoulder_y - 0.02, 0);
       from = Vec3(0, 0.5, 1);
       break;
+    case Location::kUpperChest:
+      target = Vec3(0, shoulder_y - 0.06 * trunk, 0);
+      break;
     case Location::kContraChest:
       target = Vec3(-s * 0.5 * shoulder_x, shoulder_y - 0.27 * trunk, 0);
       break;
     case Location::kStomach:
       target = Vec3(0, shoulder_y - 0.68 * trunk, 0);
+      break;
+    case Location::kLowerStomach:
+      target = Vec3(0, shoulder_y - 0.84 * trunk, 0);
       break;
     case Location::kWaist:
       target = Vec3(s * 0.45 * shoulder_x, shoulder_y - 0.88 * trunk, 0);

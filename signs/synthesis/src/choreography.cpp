@@ -26,6 +26,18 @@ bool any(const BodyFeature& feature) {
   return feature.head != Vec3(0.0) || feature.trunk != Vec3(0.0) || feature.swing != Vec3(0.0);
 }
 
+/// A word of the tier of that name.
+void add_word(std::string_view tier, std::string_view word, BodyFeature& body, FaceWeights& face) {
+  if (tier == "brows") add_brows(word, face);
+  if (tier == "eyes") add_eyes(word, face);
+  if (tier == "mouth") add_mouth(word, face);
+  if (tier == "cheeks") add_cheeks(word, face);
+  if (tier == "face") add_face(word, face);
+  if (tier == "head") add_head(word, body);
+  if (tier == "shoulders") add_shoulders(word, body);
+  if (tier == "gaze") add_gaze(word, body, face);
+}
+
 /// Builds the score unit by unit.
 class Choreographer {
  public:
@@ -63,7 +75,12 @@ class Choreographer {
   void show(size_t side, const std::optional<HandTarget>& target, Tick begin, Tick end);
   /// Over the units from the one that has the mouthing.
   void add_mouthing(size_t first, size_t last);
+  /// The lips' shapes of a word, spread over a span.
+  void lay_mouthing(const std::string& mouthing, Span span);
   void add_own_features(size_t unit);
+  void add_rise_and_fall(const FaceWeights& face, const BodyFeature& body, Span span, Tick onset, Tick release);
+  /// A feature that takes a part of a sign: it rises and falls within it.
+  void add_part(const FaceWeights& face, const BodyFeature& body, Span part);
   void add_spans();
   /// Over units, rising on the way into the first of them and falling on the way out of the last: no feature reaches
   /// into the sign before or after.
@@ -269,11 +286,22 @@ void Choreographer::add_features(const FaceWeights& face, const BodyFeature& bod
   }
   const Tick begin = std::max(before, spans_[from].begin - scaled(stroke::kBrowOnset)), end = after;
   const Tick onset = spans_[from].begin - begin, release = end - spans_[to].end;
-  if (any_weight(face)) score_.face.push_back({begin, end, onset, release, face});
+  add_rise_and_fall(face, body, {begin, end}, onset, release);
+}
+
+void Choreographer::add_part(const FaceWeights& face, const BodyFeature& body, Span part) {
+  const Tick third = std::max<Tick>(1, (part.end - part.begin) / 3);
+  add_rise_and_fall(face, body, part, std::min(third, scaled(stroke::kBrowOnset)),
+                    std::min(third, scaled(stroke::kBrowRelease)));
+}
+
+void Choreographer::add_rise_and_fall(const FaceWeights& face, const BodyFeature& body, Span span, Tick onset,
+                                      Tick release) {
+  if (any_weight(face)) score_.face.push_back({span.begin, span.end, onset, release, face});
   if (any(body)) {
     BodySpan motion;
-    motion.begin = begin;
-    motion.end = end;
+    motion.begin = span.begin;
+    motion.end = span.end;
     motion.onset = onset;
     motion.release = release;
     motion.head = body.head;
@@ -297,6 +325,25 @@ void Choreographer::add_own_features(size_t unit) {
   add_shoulders(own.shoulders, body);
   add_gaze(own.gaze, body, face);
   add_features(face, body, unit, unit);
+  for (const NonManualFeature& feature : own.more) {
+    const auto at = [this, unit](double share) {
+      return spans_[unit].begin + static_cast<Tick>(static_cast<double>(spans_[unit].end - spans_[unit].begin) * share);
+    };
+    const Span part{at(feature.from), at(feature.to)};
+    if (part.end <= part.begin) continue;
+    if (feature.tier == "mouthing") {
+      if (options_.mouthing) lay_mouthing(feature.word, part);
+      continue;
+    }
+    FaceWeights weights{};
+    BodyFeature turn;
+    add_word(feature.tier, feature.word, turn, weights);
+    for (float& weight : weights)
+      weight = std::min(1.0F, weight * static_cast<float>(feature.amount));
+    for (Vec3* vector : {&turn.head, &turn.trunk, &turn.swing})
+      *vector *= feature.amount;
+    add_part(weights, turn, part);
+  }
 }
 
 void Choreographer::add_mouthing(size_t first, size_t last) {
@@ -306,15 +353,20 @@ void Choreographer::add_mouthing(size_t first, size_t last) {
   if (first > 0) begin = std::max(begin, (spans_[first - 1].end + spans_[first].begin) / 2);
   if (last + 1 < spans_.size()) end = std::min(end, (spans_[last].end + spans_[last + 1].begin) / 2);
   begin = std::max<Tick>(0, begin);
+  lay_mouthing(utterance_.units[first].mouthing, {begin, end});
+}
+
+void Choreographer::lay_mouthing(const std::string& mouthing, Span span) {
+  const auto [begin, end] = span;
   const auto most = static_cast<size_t>((end - begin) / ticks(stroke::kShortestViseme));
-  const std::vector<Viseme> visemes = reduced(visemes_of(utterance_.units[first].mouthing), most);
+  const std::vector<Viseme> visemes = reduced(visemes_of(mouthing), most);
   if (visemes.empty() || end <= begin) return;
   const std::vector<FaceWeights> faces = coarticulated(visemes);
   // Silence before and after; between two shapes the lips are always on their way.
   double total = 1.0;
   for (const Viseme viseme : visemes)
     total += timing_of(viseme).length;
-  const auto at = [&](double length) {
+  const auto at = [begin = begin, end = end, &total](double length) {
     return begin + static_cast<Tick>(static_cast<double>(end - begin) * (length / total));
   };
   std::vector<Span> held;

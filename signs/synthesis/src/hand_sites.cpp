@@ -3,6 +3,7 @@
 
 #include "kinematics/rotation.h"
 #include "kinematics/surface.h"
+#include "phonology/vocabulary.h"
 
 #include <algorithm>
 #include <cmath>
@@ -90,8 +91,56 @@ Site HandSites::on_digit(const Posed& posed, size_t digit, double along, const V
   return {begin + (end - begin) * t + normal * radius_[digit][j], normal};
 }
 
+Site HandSites::digit_place(const Posed& posed, const DigitSite& site) const {
+  const auto d = static_cast<size_t>(site.digit);
+  // Along the digit, and to which side of the hand's frame at rest.
+  const auto at = [&](double along, const Vec3& side) {
+    return on_digit(posed, d, along, posed.joint[d][static_cast<size_t>(along)].rotation * side);
+  };
+  constexpr double kEnd = 2.7, kMid = 1.0, kBase = 0.1, kLength = 1.5;
+  const Vec3 &palm = frame_.palm, &radial = frame_.radial;
+  switch (site.feature) {
+    case DigitFeature::kTip:
+      return {posed.tip[d], unit(posed.tip[d] - posed.joint[d][2].position)};
+    case DigitFeature::kNail:
+      return at(kEnd, -palm);
+    case DigitFeature::kTipPad:
+      return at(kEnd, palm);
+    case DigitFeature::kTipRadial:
+      return at(kEnd, radial);
+    case DigitFeature::kTipUlnar:
+      return at(kEnd, -radial);
+    case DigitFeature::kMidPalmar:
+      return at(kMid, palm);
+    case DigitFeature::kMidDorsal:
+      return at(kMid, -palm);
+    case DigitFeature::kMidRadial:
+      return at(kMid, radial);
+    case DigitFeature::kMidUlnar:
+      return at(kMid, -radial);
+    case DigitFeature::kBasePalmar:
+      return at(kBase, palm);
+    case DigitFeature::kBaseDorsal:
+      return at(kBase, -palm);
+    case DigitFeature::kBaseRadial:
+      return at(kBase, radial);
+    case DigitFeature::kBaseUlnar:
+      return at(kBase, -radial);
+    case DigitFeature::kLengthPalmar:
+      return at(kLength, palm);
+    case DigitFeature::kLengthDorsal:
+      return at(kLength, -palm);
+    case DigitFeature::kLengthRadial:
+      return at(kLength, radial);
+    case DigitFeature::kLengthUlnar:
+      return at(kLength, -radial);
+  }
+  return at(kEnd, palm);
+}
+
 Site HandSites::site(HandPart part, const HandAngles& angles) const {
   const Posed posed = pose(angles);
+  if (const auto digit = digit_site(part)) return digit_place(posed, *digit);
   const Vec3& palm = frame_.palm;
   const Vec3& radial = frame_.radial;
   const Vec3 knuckle = posed.joint[kMiddle][0].position;
@@ -171,6 +220,20 @@ Site HandSites::site(HandPart part, const HandAngles& angles) const {
       return on_digit(posed, kThumb, 1.5, radial);
     case HandPart::kIndexPad:
       return on_digit(posed, kIndex, 1.4, posed.joint[kIndex][1].rotation * palm);
+    case HandPart::kThumbBall:
+      return {0.5 * posed.joint[kThumb][1].position + 0.2 * knuckle + palm * palm_depth_, palm};
+    case HandPart::kWristBack:
+      return {-palm * back_depth_ - frame_.fingers * 0.01, -palm};
+    case HandPart::kWristRadial:
+    case HandPart::kWristUlnar: {
+      // A wrist is about as wide as one and a half of its thickness.
+      const Vec3 out = part == HandPart::kWristRadial ? radial : -radial;
+      return {out * (0.75 * (palm_depth_ + back_depth_)) - frame_.fingers * 0.01, out};
+    }
+    case HandPart::kForearm:
+      return {palm * (palm_depth_ + 0.01) - frame_.fingers * 0.09, palm};
+    case HandPart::kDigitSites:
+      break;
   }
   return {centre + palm * palm_depth_, palm};
 }
@@ -184,7 +247,16 @@ Site HandSites::site_for(Location location, HandPart touching, const HandAngles&
     if (pointing) return Site{posed.tip[d], unit(posed.tip[d] - posed.joint[d][2].position)};
     return on_digit(posed, d, d == kThumb ? 1.4 : 1.6, towards);
   };
+  if (const auto digit = auslan::digit_site(location)) return digit_place(posed, *digit);
   switch (location) {
+    case Location::kOtherThumbBall:
+      return site(HandPart::kThumbBall, angles);
+    case Location::kOtherWristRadial:
+      return site(HandPart::kWristRadial, angles);
+    case Location::kOtherWristUlnar:
+      return site(HandPart::kWristUlnar, angles);
+    case Location::kOtherElbowInside:
+      return {-frame_.fingers * 0.24 + frame_.palm * 0.04, frame_.palm};
     case Location::kOtherBack:
       return site(HandPart::kBack, angles);
     case Location::kOtherWristBack:

@@ -75,12 +75,18 @@ void oscillate(const Oscillation& oscillation, double tau, HandState& state) {
   if (oscillation.cycles <= 0) return;
   // Fades in over the first and out over the last quarter cycle, so that it starts and ends at rest.
   const double edge = std::min(0.5, 0.25 / oscillation.cycles + 0.05);
-  const double fade = minimum_jerk(tau / edge) * minimum_jerk((1.0 - tau) / edge);
+  // What grows or shrinks is largest as wide as it was asked for.
+  const double most = std::max(1.0, oscillation.growth);
+  const double size = mix(1.0, oscillation.growth, tau) / most;
+  const double fade = minimum_jerk(tau / edge) * minimum_jerk((1.0 - tau) / edge) * size;
   const double angle = 2.0 * kPi * (oscillation.cycles * tau + oscillation.phase);
   const double wave = fade * sine(angle);
   state.wrist.position += oscillation.shift * wave;
-  if (oscillation.turn != Vec3(0.0))
-    state.wrist.rotation = from_rotation_vector(oscillation.turn * wave) * state.wrist.rotation;
+  if (oscillation.turn != Vec3(0.0) || oscillation.turn_ahead != Vec3(0.0)) {
+    Vec3 turn = oscillation.turn * wave;
+    if (oscillation.turn_ahead != Vec3(0.0)) turn += oscillation.turn_ahead * (fade * cosine(angle));
+    state.wrist.rotation = from_rotation_vector(turn) * state.wrist.rotation;
+  }
   if (oscillation.flex != 0) {
     // Towards the fist, and no farther: a joint with less room moves less instead of stopping short.
     const double closing = fade * 0.5 * (1.0 - cosine(angle));
@@ -90,7 +96,13 @@ void oscillate(const Oscillation& oscillation, double tau, HandState& state) {
     }
   }
   if (oscillation.wiggle != 0) {
+    if ((oscillation.wiggling & 1U) != 0) {
+      const double bend = fade * (0.5 - 0.5 * cosine(angle)) * oscillation.wiggle;
+      state.angles.thumb.mp += 0.6 * bend;
+      state.angles.thumb.ip += bend;
+    }
     for (size_t i = 0; i < 4; ++i) {
+      if ((oscillation.wiggling & (2U << i)) == 0) continue;
       const double finger = fade * sine(angle + 0.5 * kPi * static_cast<double>(i)) * oscillation.wiggle;
       state.angles.fingers[i].mcp += 0.6 * finger + 0.4 * oscillation.wiggle * fade;
       state.angles.fingers[i].pip += 0.4 * finger + 0.4 * oscillation.wiggle * fade;
@@ -145,7 +157,13 @@ HandState state_after(const HandSegment& segment, double tau) {
   if (segment.turns > 0) {
     double sn = 0, cs = 1;
     sine_cosine(2.0 * kPi * segment.turns * steady(tau, std::min(0.5, kRamp / segment.turns)), sn, cs);
-    state.wrist.position += segment.circle_u * (cs - 1.0) + segment.circle_v * sn;
+    if (segment.circle_growth == 1) {
+      state.wrist.position += segment.circle_u * (cs - 1.0) + segment.circle_v * sn;
+    } else {
+      // The centre stays; the distance from it grows or shrinks.
+      const double size = mix(1.0, segment.circle_growth, s);
+      state.wrist.position += segment.circle_u * (size * cs - 1.0) + segment.circle_v * (size * sn);
+    }
   }
   state.wrist.rotation = segment.turn_middle ? through(a.wrist.rotation, *segment.turn_middle, b.wrist.rotation, s)
                                              : slerp(a.wrist.rotation, b.wrist.rotation, s);

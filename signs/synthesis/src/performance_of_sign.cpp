@@ -41,7 +41,24 @@ HandSegment mirror(const HandSegment& segment) {
   image.circle_v = mirror(segment.circle_v);
   image.oscillation.shift = mirror(segment.oscillation.shift);
   image.oscillation.turn = mirror_turn(segment.oscillation.turn);
+  image.oscillation.turn_ahead = mirror_turn(segment.oscillation.turn_ahead);
   return image;
+}
+
+// What grows or shrinks is so much wider at one end.
+constexpr double kGrown = 2.5;
+
+/// The shorter axis of an ellipse over the longer one.
+double flatness(Size flattening) {
+  return flattening == Size::kLarge ? 0.25 : flattening == Size::kMedium ? 0.5 : 0.75;
+}
+
+/// How often a circle goes round: a part of a turn is made stroke by stroke, and never in place.
+double turns_of(const Movement& movement) {
+  const bool whole = movement.eighths % 8 == 0;
+  if (movement.from == movement.to || whole)
+    return std::max(1, movement.repeats) * std::max(1, (movement.eighths + 7) / 8);
+  return movement.eighths / 8.0;
 }
 
 /// Movements that share their phases happen at the same time.
@@ -91,15 +108,23 @@ class SignBuilder {
   void add_tap(const Movement& movement, size_t phase);
   void add_hold(size_t phase, double seconds);
   void stroke_to(size_t from, size_t to, double factor);
-  /// Appends a beat from the dominant hand's segment and the relation of the hands.
-  void push(double seconds, bool hold, HandSegment dominant, size_t from, size_t to, const Movement* movement);
+  /// What the hands do between two phases without a movement; the left one only where it has postures of its own.
+  std::array<HandSegment, 2> plain(size_t from, size_t to) const;
+  /// Whether a movement moves this hand by itself; a mirrored left hand follows the right one.
+  bool moves(const Movement& movement, size_t side) const;
+  const PlacedHand& placed(size_t side, size_t phase) const { return side == kRight ? dominant_[phase] : base_[phase]; }
+  /// Lays what is made once over a way or in place.
+  void add_oscillation(const Movement& movement, size_t side, const Oscillation& more,
+                       std::array<HandSegment, 2>& hands) const;
+  /// Appends a beat from what the hands do and their relation.
+  void push(double seconds, bool hold, const std::array<HandSegment, 2>& hands, size_t from, size_t to);
   /// What a hand shows where a segment leaves it; nothing where that is not one of its postures.
   std::optional<HandTarget> shown(const HandState& state, const std::vector<Posture>& postures,
                                   const std::vector<PlacedHand>& placed) const;
   std::array<std::optional<HandTarget>, 2> shown(const std::array<HandState, 2>& states) const;
   Vec3 direction_of(const Movement& movement, const Vec3& otherwise) const;
-  Oscillation oscillation_of(const Movement& movement, size_t phase) const;
-  void circle_of(const Movement& movement, size_t phase, HandSegment& segment) const;
+  Oscillation oscillation_of(const Movement& movement, size_t side, size_t phase) const;
+  void circle_of(const Movement& movement, size_t side, size_t phase, HandSegment& segment) const;
 
   const Signer& signer_;
   const Utterance& utterance_;
@@ -153,14 +178,17 @@ Vec3 SignBuilder::direction_of(const Movement& movement, const Vec3& otherwise) 
   return movement.direction ? to_vector(*movement.direction) : otherwise;
 }
 
-Oscillation SignBuilder::oscillation_of(const Movement& movement, size_t phase) const {
+Oscillation SignBuilder::oscillation_of(const Movement& movement, size_t side, size_t phase) const {
   Oscillation oscillation;
-  const HandState& state = dominant_[phase].state;
-  const HandFrame& frame = signer_.hand_frame(Side::kRight);
-  const Vec3 palm = state.wrist.rotation * frame.palm;
-  const Vec3 fingers = state.wrist.rotation * frame.fingers;
-  const Vec3 radial = state.wrist.rotation * frame.radial;
+  const PlacedHand& hand = placed(side, phase);
+  const HandFrame& frame = signer_.hand_frame(static_cast<Side>(side));
+  const Quat& rotation = hand.state.wrist.rotation;
+  const Vec3 palm = rotation * frame.palm;
+  const Vec3 fingers = rotation * frame.fingers;
+  const Vec3 radial = rotation * frame.radial;
   oscillation.cycles = std::max(1, movement.repeats);
+  if (movement.growth == Growth::kIncreasing) oscillation.growth = kGrown;
+  if (movement.growth == Growth::kDecreasing) oscillation.growth = 1.0 / kGrown;
   const double shift = stroke::amplitude(movement.size) * 0.5;
   switch (movement.kind) {
     case MoveKind::kShake:
@@ -174,7 +202,7 @@ Oscillation SignBuilder::oscillation_of(const Movement& movement, size_t phase) 
       if (movement.plane == Plane::kToFro || movement.plane == Plane::kSagittal) axis = Vec3(0, 0, 1);
       axis = direction_of(movement, axis);
       // On a surface the movement stays in it.
-      if (dominant_[phase].touching) axis = across(dominant_[phase].normal, axis);
+      if (hand.touching) axis = across(hand.normal, axis);
       oscillation.shift = axis * shift;
       break;
     }
@@ -187,9 +215,25 @@ Oscillation SignBuilder::oscillation_of(const Movement& movement, size_t phase) 
     case MoveKind::kNod:
       oscillation.turn = radial * stroke::turn(movement.size);
       break;
+    case MoveKind::kSwing:
+      // A wrist gives less to the sides than up and down.
+      oscillation.turn = palm * (0.6 * stroke::turn(movement.size));
+      break;
+    case MoveKind::kStir: {
+      const double cone = 0.6 * stroke::turn(movement.size);
+      // Clockwise as seen from the wrist along the fingers.
+      oscillation.turn = palm * (movement.plane == Plane::kAnticlockwise ? cone : -cone);
+      oscillation.turn_ahead = radial * cone;
+      break;
+    }
     case MoveKind::kWiggle:
       oscillation.wiggle = 0.35;
       oscillation.cycles = 1.5 * oscillation.cycles;
+      if (!movement.digits.empty()) {
+        oscillation.wiggling = 0;
+        for (const char digit : movement.digits)
+          if (digit >= '1' && digit <= '5') oscillation.wiggling |= 1U << static_cast<unsigned>(digit - '1');
+      }
       break;
     case MoveKind::kBend:
     case MoveKind::kSqueeze:
@@ -205,30 +249,62 @@ Oscillation SignBuilder::oscillation_of(const Movement& movement, size_t phase) 
   return oscillation;
 }
 
-void SignBuilder::circle_of(const Movement& movement, size_t phase, HandSegment& segment) const {
-  const HandState& state = dominant_[phase].state;
-  const Vec3 palm = state.wrist.rotation * signer_.hand_frame(Side::kRight).palm;
-  Vec3 normal = dominant_[phase].touching ? dominant_[phase].normal : palm;
+void SignBuilder::circle_of(const Movement& movement, size_t side, size_t phase, HandSegment& segment) const {
+  const PlacedHand& hand = placed(side, phase);
+  const Vec3 palm = hand.state.wrist.rotation * signer_.hand_frame(static_cast<Side>(side)).palm;
+  Vec3 normal = hand.touching ? hand.normal : palm;
   if (movement.plane == Plane::kHorizontal) normal = Vec3(0, 1, 0);
   if (movement.plane == Plane::kFrontal) normal = Vec3(0, 0, 1);
   if (movement.plane == Plane::kSagittal || movement.plane == Plane::kVertical || movement.plane == Plane::kToFro)
     normal = Vec3(1, 0, 0);
+  normal = direction_of(movement, normal);
   const double radius = stroke::amplitude(movement.size) * 0.8;
-  const Vec3 u = across(normal, Vec3(0, 1, 0));
-  const Vec3 v(normal.y * u.z - normal.z * u.y, normal.z * u.x - normal.x * u.z, normal.x * u.y - normal.y * u.x);
+  const double sense = movement.plane == Plane::kAnticlockwise ? -radius : radius;
+  const Vec3 u = across(normal, movement.start ? to_vector(*movement.start) : Vec3(0, 1, 0));
   segment.circle_u = u * radius;
-  segment.circle_v = v * (movement.plane == Plane::kAnticlockwise ? -radius : radius);
-  segment.turns = std::max(1, movement.repeats);
+  segment.circle_v = glm::cross(normal, u) * sense;
+  if (movement.ellipse) {
+    // The same angle on the ellipse: along its longer axis as wide as the circle.
+    const double narrow = flatness(movement.flattening);
+    const Vec3 longer = across(normal, to_vector(*movement.ellipse));
+    const Vec3 shorter = glm::cross(normal, longer);
+    const auto flatten = [&](Vec3& v) { v = longer * glm::dot(v, longer) + shorter * (narrow * glm::dot(v, shorter)); };
+    flatten(segment.circle_u);
+    flatten(segment.circle_v);
+  }
+  if (movement.growth == Growth::kIncreasing) {
+    segment.circle_u *= 1.0 / kGrown;
+    segment.circle_v *= 1.0 / kGrown;
+    segment.circle_growth = kGrown;
+  } else if (movement.growth == Growth::kDecreasing || movement.kind == MoveKind::kSpiral) {
+    segment.circle_growth = 1.0 / kGrown;
+  }
+  segment.turns = turns_of(movement);
 }
 
-void SignBuilder::push(double seconds, bool hold, HandSegment dominant, size_t from, size_t to,
-                       const Movement* movement) {
+std::array<HandSegment, 2> SignBuilder::plain(size_t from, size_t to) const {
+  std::array<HandSegment, 2> hands;
+  hands[kRight].from = dominant_[from].state;
+  hands[kRight].to = dominant_[to].state;
+  if (has_base_) {
+    hands[kLeft].from = base_[from].state;
+    hands[kLeft].to = base_[to].state;
+  }
+  return hands;
+}
+
+bool SignBuilder::moves(const Movement& movement, size_t side) const {
+  if (!has_base_) return side == kRight;
+  return movement.hands != (side == kRight ? MovingHands::kNonDominant : MovingHands::kDominant);
+}
+
+void SignBuilder::push(double seconds, bool hold, const std::array<HandSegment, 2>& hands, size_t from, size_t to) {
   Beat beat;
   beat.seconds = seconds;
   beat.hold = hold;
-  beat.hands[kRight] = dominant;
+  beat.hands[kRight] = hands[kRight];
   if (mirrored_) {
-    beat.hands[kLeft] = mirror(dominant);
+    beat.hands[kLeft] = mirror(hands[kRight]);
     if (sign_.handedness == Handedness::kAlternating) {
       HandSegment& image = beat.hands[kLeft];
       image.oscillation.phase += 0.5;
@@ -247,22 +323,17 @@ void SignBuilder::push(double seconds, bool hold, HandSegment dominant, size_t f
       }
     }
   } else if (has_base_) {
-    HandSegment& left = beat.hands[kLeft];
-    left.from = base_[from].state;
-    left.to = base_[to].state;
-    if (movement != nullptr && from == to && movement->hands != MovingHands::kDominant) {
-      left.oscillation = dominant.oscillation;
-      left.circle_u = dominant.circle_u;
-      left.circle_v = dominant.circle_v;
-      left.turns = dominant.turns;
-      if (movement->hands == MovingHands::kAlternating) left.oscillation.phase += 0.5;
-      if (movement->hands == MovingHands::kNonDominant) {
-        beat.hands[kRight].oscillation = {};
-        beat.hands[kRight].turns = 0;
-      }
-    }
+    beat.hands[kLeft] = hands[kLeft];
   }
   beat.target = shown({beat.hands[kLeft].to, beat.hands[kRight].to});
+  // Where a circle does not lead back to its beginning, the way under it makes up for that: the beat ends in its phase.
+  for (HandSegment& segment : beat.hands) {
+    if (segment.turns == std::floor(segment.turns) && segment.circle_growth == 1) continue;
+    double sn = 0, cs = 1;
+    sine_cosine(2.0 * kPi * segment.turns, sn, cs);
+    const double size = segment.circle_growth;
+    segment.to.wrist.position -= segment.circle_u * (size * cs - 1.0) + segment.circle_v * (size * sn);
+  }
   result_.beats.push_back(beat);
 }
 
@@ -299,108 +370,152 @@ std::array<std::optional<HandTarget>, 2> SignBuilder::shown(const std::array<Han
 }
 
 void SignBuilder::stroke_to(size_t from, size_t to, double factor) {
-  HandSegment segment;
-  segment.from = dominant_[from].state;
-  segment.to = dominant_[to].state;
-  double time = stroke::travel_seconds(segment.from, segment.to);
-  if (has_base_) time = std::max(time, stroke::travel_seconds(base_[from].state, base_[to].state));
-  push(std::max(0.16, time) * factor, false, segment, from, to, nullptr);
+  const std::array<HandSegment, 2> hands = plain(from, to);
+  double time = stroke::travel_seconds(hands[kRight].from, hands[kRight].to);
+  if (has_base_) time = std::max(time, stroke::travel_seconds(hands[kLeft].from, hands[kLeft].to));
+  push(std::max(0.16, time) * factor, false, hands, from, to);
 }
 
 void SignBuilder::add_hold(size_t phase, double time) {
-  HandSegment segment;
-  segment.from = segment.to = dominant_[phase].state;
-  push(time, true, segment, phase, phase, nullptr);
+  push(time, true, plain(phase, phase), phase, phase);
+}
+
+void SignBuilder::add_oscillation(const Movement& movement, size_t side, const Oscillation& more,
+                                  std::array<HandSegment, 2>& hands) const {
+  Oscillation& sum = hands[side].oscillation;
+  sum.shift += more.shift;
+  sum.turn += more.turn;
+  sum.turn_ahead += more.turn_ahead;
+  sum.wiggle = std::max(sum.wiggle, more.wiggle);
+  if (more.wiggle > 0) sum.wiggling = more.wiggling;
+  sum.flex = std::max(sum.flex, more.flex);
+  sum.cycles = std::max(sum.cycles, more.cycles);
+  sum.growth = more.growth;
+  if (side == kLeft && movement.hands == MovingHands::kAlternating) sum.phase = 0.5;
 }
 
 void SignBuilder::add_path(const Step& step) {
   const auto from = static_cast<size_t>(step.from), to = static_cast<size_t>(step.to);
-  HandSegment segment;
-  segment.from = dominant_[from].state;
-  segment.to = dominant_[to].state;
-  const Vec3 way = segment.to.wrist.position - segment.from.wrist.position;
-  const double distance = std::sqrt(glm::dot(way, way));
-  double time = std::max(0.16, stroke::travel_seconds(segment.from, segment.to) + 0.02);
-  if (has_base_) time = std::max(time, stroke::travel_seconds(base_[from].state, base_[to].state));
+  std::array<HandSegment, 2> hands = plain(from, to);
+  double time = std::max(0.16, stroke::travel_seconds(hands[kRight].from, hands[kRight].to) + 0.02);
+  if (has_base_) time = std::max(time, stroke::travel_seconds(hands[kLeft].from, hands[kLeft].to));
   int repeats = 1;
-  const Movement* lead = step.movements.front();
+  double rest = 0, factor = 1;
   for (const Movement* movement : step.movements) {
-    const Vec3 axis = distance > 1e-6 ? way / distance : Vec3(0, 0, 1);
-    switch (movement->kind) {
-      case MoveKind::kArc: {
-        // The arc bows up on its way out and across, and away from the body on its way up or down.
-        const Vec3 bow = std::abs(axis.y) > 0.75 ? Vec3(0, 0, 1) : Vec3(0, 1, 0.35);
-        segment.bulge += across(axis, bow) * std::max(0.3 * distance, stroke::amplitude(movement->size) * 0.6);
-        break;
+    for (const size_t side : {kRight, kLeft}) {
+      if (!moves(*movement, side)) continue;
+      HandSegment& segment = hands[side];
+      const Vec3 way = segment.to.wrist.position - segment.from.wrist.position;
+      const double distance = std::sqrt(glm::dot(way, way));
+      const Vec3 axis = distance > 1e-6 ? way / distance : Vec3(0, 0, 1);
+      switch (movement->kind) {
+        case MoveKind::kArc: {
+          // Where nothing else is written an arc bows up on its way out and across, and away from the body on its way
+          // up or down.
+          Vec3 bow = std::abs(axis.y) > 0.75 ? Vec3(0, 0, 1) : Vec3(0, 1, 0.35);
+          if (movement->bow) bow = to_vector(*movement->bow);
+          segment.bulge += across(axis, bow) * std::max(0.3 * distance, stroke::amplitude(movement->size) * 0.6);
+          break;
+        }
+        case MoveKind::kBounce:
+          segment.bulge += across(axis, Vec3(0, 1, 0)) * std::max(0.02, 0.25 * distance);
+          break;
+        case MoveKind::kCircle:
+        case MoveKind::kSpiral:
+          circle_of(*movement, side, from, segment);
+          time = std::max(time, stroke::kTurnOfCircle * segment.turns);
+          if (movement->eighths % 8 != 0) repeats = std::max(repeats, movement->repeats);
+          break;
+        case MoveKind::kShake:
+        case MoveKind::kSway:
+        case MoveKind::kZigzag:
+        case MoveKind::kWavy:
+        case MoveKind::kTwist:
+        case MoveKind::kNod:
+        case MoveKind::kSwing:
+        case MoveKind::kStir:
+        case MoveKind::kWiggle:
+        case MoveKind::kAlternate: {
+          // A turn that is all that happens between two phases is the way between them.
+          const bool turns = movement->kind == MoveKind::kTwist || movement->kind == MoveKind::kNod;
+          if (turns && step.movements.size() == 1) {
+            repeats = std::max(repeats, movement->repeats);
+            break;
+          }
+          Oscillation more = oscillation_of(*movement, side, from);
+          const bool waves = more.shift != Vec3(0.0);
+          const bool path = movement->kind == MoveKind::kZigzag || movement->kind == MoveKind::kWavy;
+          if (waves && (path || !movement->direction) && movement->plane == Plane::kNone)
+            more.shift = across(axis, movement->bow ? to_vector(*movement->bow) : Vec3(1, 0, 0)) *
+                         (stroke::amplitude(movement->size) * 0.5);
+          if (waves || more.wiggle > 0) more.cycles = std::max(more.cycles, 2.0);
+          add_oscillation(*movement, side, more, hands);
+          time = std::max(time, stroke::kCycle * more.cycles);
+          break;
+        }
+        default:
+          repeats = std::max(repeats, movement->repeats);
+          break;
       }
-      case MoveKind::kBounce:
-        segment.bulge += across(axis, Vec3(0, 1, 0)) * std::max(0.02, 0.25 * distance);
-        break;
-      case MoveKind::kCircle:
-      case MoveKind::kSpiral:
-        circle_of(*movement, from, segment);
-        time = std::max(time, stroke::kTurnOfCircle * segment.turns);
-        break;
-      case MoveKind::kShake:
-      case MoveKind::kSway:
-      case MoveKind::kZigzag:
-      case MoveKind::kWavy:
-      case MoveKind::kWiggle:
-      case MoveKind::kAlternate: {
-        Oscillation oscillation = oscillation_of(*movement, from);
-        if (!movement->direction && movement->kind != MoveKind::kWiggle && movement->plane == Plane::kNone)
-          oscillation.shift = across(axis, Vec3(1, 0, 0)) * (stroke::amplitude(movement->size) * 0.5);
-        oscillation.cycles = std::max(oscillation.cycles, 2.0);
-        segment.oscillation = oscillation;
-        time = std::max(time, stroke::kCycle * oscillation.cycles);
-        break;
-      }
-      default:
-        repeats = std::max(repeats, movement->repeats);
-        break;
     }
-    time *= stroke::manner_factor(movement->manner);
+    // Of what happens at once the most marked manner counts for all.
+    const double own = stroke::manner_factor(movement->manner) / movement->pace;
+    if (std::max(own, 1.0 / own) > std::max(factor, 1.0 / factor)) factor = own;
+    if (movement->manner == Manner::kRest) rest = stroke::kRestHold;
   }
+  time *= factor;
   for (int i = 0; i < repeats; ++i) {
     if (i > 0) stroke_to(to, from, 0.8);
-    push(time, false, segment, from, to, lead);
+    push(time, false, hands, from, to);
   }
+  if (rest > 0) add_hold(to, rest);
 }
 
 void SignBuilder::add_tap(const Movement& movement, size_t phase) {
-  const PlacedHand& placed = dominant_[phase];
-  // Towards the contact; in the air, where the palm faces or as the entry says.
-  const Vec3 towards = placed.touching ? -placed.normal : direction_of(movement, -placed.normal);
-  const double reach = stroke::amplitude(movement.size) * (placed.touching ? 0.8 : 1.0);
-  HandSegment in;
-  in.from = in.to = placed.state;
-  in.from.wrist.position -= towards * reach;
-  HandSegment out = in;
-  std::swap(out.from, out.to);
+  std::array<HandSegment, 2> in = plain(phase, phase);
+  double reach = 0;
+  for (const size_t side : {kRight, kLeft}) {
+    if (!moves(movement, side)) continue;
+    const PlacedHand& hand = placed(side, phase);
+    // Towards the contact; in the air, where the palm faces or as the entry says.
+    const Vec3 towards = hand.touching ? -hand.normal : direction_of(movement, -hand.normal);
+    const double back = stroke::amplitude(movement.size) * (hand.touching ? 0.8 : 1.0);
+    in[side].from.wrist.position -= towards * back;
+    reach = std::max(reach, back);
+  }
+  std::array<HandSegment, 2> out = in;
+  for (HandSegment& segment : out)
+    std::swap(segment.from, segment.to);
   const int repeats = std::max(1, movement.repeats);
-  const double time = (0.08 + 0.8 * reach) * stroke::manner_factor(movement.manner);
-  if (result_.beats.empty()) {
-    // The transition ends before the contact, so that the contact itself is a stroke.
-    for (int i = 0; i < repeats; ++i) {
-      if (i > 0) push(time, false, out, phase, phase, &movement);
-      push(time, false, in, phase, phase, &movement);
+  const double time = (0.08 + 0.8 * reach) * stroke::manner_factor(movement.manner) / movement.pace;
+  // At the beginning the transition ends before the contact, so that the contact itself is a stroke.
+  const bool first = result_.beats.empty();
+  if (has_base_ && movement.hands == MovingHands::kAlternating) {
+    // The other hand goes out while this one comes in.
+    const std::array<HandSegment, 2> still = plain(phase, phase);
+    const int begin = first ? 1 : 0, end = 2 * repeats;
+    for (int i = begin; i <= end; ++i) {
+      std::array<HandSegment, 2> hands;
+      hands[kRight] = i == end ? still[kRight] : (i % 2 == 0 ? out : in)[kRight];
+      hands[kLeft] = i == begin && i % 2 == 0 ? still[kLeft] : (i % 2 == 0 ? in : out)[kLeft];
+      push(time, false, hands, phase, phase);
     }
     return;
   }
   for (int i = 0; i < repeats; ++i) {
-    push(time, false, out, phase, phase, &movement);
-    push(time, false, in, phase, phase, &movement);
+    if (i > 0 || !first) push(time, false, out, phase, phase);
+    push(time, false, in, phase, phase);
   }
 }
 
 void SignBuilder::add_local(const Step& step) {
   const auto phase = static_cast<size_t>(step.from);
-  HandSegment segment;
-  segment.from = segment.to = dominant_[phase].state;
-  double time = 0;
-  const Movement* lead = nullptr;
+  std::array<HandSegment, 2> hands = plain(phase, phase);
+  double time = 0, rest = 0;
+  bool moving = false;
   for (const Movement* movement : step.movements) {
-    const double factor = stroke::manner_factor(movement->manner);
+    const double factor = stroke::manner_factor(movement->manner) / movement->pace;
+    if (movement->manner == Manner::kRest) rest = stroke::kRestHold;
     switch (movement->kind) {
       case MoveKind::kHold:
         break;
@@ -414,25 +529,31 @@ void SignBuilder::add_local(const Step& step) {
         break;
       case MoveKind::kCircle:
       case MoveKind::kSpiral:
-        circle_of(*movement, phase, segment);
-        time = std::max(time, stroke::kTurnOfCircle * segment.turns * factor);
-        lead = movement;
+        for (const size_t side : {kRight, kLeft}) {
+          if (!moves(*movement, side)) continue;
+          HandSegment& segment = hands[side];
+          circle_of(*movement, side, phase, segment);
+          if (side == kLeft && movement->hands == MovingHands::kAlternating) {
+            segment.circle_u = -segment.circle_u;
+            segment.circle_v = -segment.circle_v;
+          }
+          time = std::max(time, stroke::kTurnOfCircle * segment.turns * factor);
+        }
+        moving = true;
         break;
-      default: {
-        const Oscillation more = oscillation_of(*movement, phase);
-        Oscillation& sum = segment.oscillation;
-        sum.shift += more.shift;
-        sum.turn += more.turn;
-        sum.wiggle = std::max(sum.wiggle, more.wiggle);
-        sum.flex = std::max(sum.flex, more.flex);
-        sum.cycles = std::max(sum.cycles, more.cycles);
-        time = std::max(time, (0.08 + stroke::kCycle * more.cycles) * factor);
-        lead = movement;
+      default:
+        for (const size_t side : {kRight, kLeft}) {
+          if (!moves(*movement, side)) continue;
+          const Oscillation more = oscillation_of(*movement, side, phase);
+          add_oscillation(*movement, side, more, hands);
+          time = std::max(time, (0.08 + stroke::kCycle * more.cycles) * factor);
+        }
+        moving = true;
         break;
-      }
     }
   }
-  if (lead != nullptr) push(time, false, segment, phase, phase, lead);
+  if (moving) push(time, false, hands, phase, phase);
+  if (rest > 0) add_hold(phase, rest);
 }
 
 Result<SignPerformance> SignBuilder::build() {

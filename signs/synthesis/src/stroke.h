@@ -17,6 +17,7 @@ inline constexpr double kSignHold = 0.085;
 inline constexpr double kLetterHold = 0.15;
 inline constexpr double kLeastSignHold = 0.08;  ///< at any speed
 inline constexpr double kLeastLetterHold = 0.12;
+inline constexpr double kRestHold = 0.30;  ///< after a movement that is written with a rest
 inline constexpr double kShortestTransition = 0.15;
 inline constexpr double kLongestTransition = 0.45;
 inline constexpr double kTurnOfCircle = 0.28;      ///< once round
@@ -71,6 +72,10 @@ inline double manner_factor(Manner manner) {
       return 0.72;
     case Manner::kSharp:
       return 0.65;
+    case Manner::kTense:
+      return 1.7;
+    case Manner::kRest:
+      return 1.0;
   }
   return 1.0;
 }

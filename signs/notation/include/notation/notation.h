@@ -7,6 +7,7 @@
 #pragma once
 
 #include "kinematics/result.h"
+#include "notation/written_element.h"
 #include "phonology/sign.h"
 
 #include <filesystem>
@@ -25,16 +26,22 @@ struct Diagnostic {
   Grade grade = Grade::kNote;
   int line = 1;    ///< 1-based; in a HamNoSys string always 1
   int column = 1;  ///< 1-based, in bytes; in a HamNoSys string the byte at which the symbol starts
+  bool left_out =
+      false;  ///< something that is written has no part in what is signed; else it is signed, if differently
   std::string message;
 };
 
 /// "line:column: warning: message"
 std::string to_string(const Diagnostic& diagnostic);
 
+/// True when nothing of what is written was left out.
+bool nothing_left_out(const std::vector<Diagnostic>& diagnostics);
+
 struct NotatedSign {
   Sign sign;                            ///< gloss as written, else "HAMNOSYS"
   std::vector<Handshape> handshapes;    ///< all that the sign uses, each once; ids such as "ham:finger2+thumbout"
   std::vector<Diagnostic> diagnostics;  ///< in reading order
+  WrittenElement written;               ///< all that was read (writer.h writes it again)
   bool signable = false;                ///< false: `sign` is empty of postures and an error says why
 };
 

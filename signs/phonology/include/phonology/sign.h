@@ -20,14 +20,17 @@ namespace auslan {
 // Vocabulary. Every enumeration has a table of names in the same order (vocabulary.h), used by text, database and
 // output.
 
-/// One of 26 directions as seen by the signer; each component is -1, 0 or +1.
+/// A direction as seen by the signer: the sum of its parts, made a unit vector. With parts of -1, 0 and +1 it is one of
+/// the 26 that entries are usually written with; those between them have larger weights, up to kFinestWeight.
 struct Direction {
-  int left = 0;  ///< +1 the signer's left, -1 right
-  int up = 0;    ///< +1 up, -1 down
-  int away = 0;  ///< +1 away from the signer's chest, -1 towards it
+  int left = 0;  ///< positive: the signer's left, negative: right
+  int up = 0;    ///< positive: up, negative: down
+  int away = 0;  ///< positive: away from the signer's chest, negative: towards it
 
   friend bool operator==(const Direction&, const Direction&) = default;
 };
+
+inline constexpr int kFinestWeight = 1000;
 
 /// Places on or near the body and on the other hand where an articulating hand can be. `contra` = the side of the
 /// non-articulating hand.
@@ -35,23 +38,34 @@ enum class Location {
   // head
   kTopHead,
   kForehead,
+  kEyebrow,
   kTemple,
   kSideHead,
   kEye,
   kCheekbone,
   kNose,
+  kNostrils,
   kFace,
   kCheek,
   kEar,
+  kEarlobe,
+  kContraEar,
+  kUpperLip,
   kMouth,
+  kTeeth,
+  kTongue,
+  kLowerLip,
   kChin,
+  kUnderChin,
   kNeck,
   // trunk and arm
   kShoulder,
   kContraShoulder,
+  kUpperChest,
   kChest,
   kContraChest,
   kStomach,
+  kLowerStomach,
   kWaist,
   kThigh,
   kUpperArm,
@@ -80,6 +94,11 @@ enum class Location {
   kOtherFistTop,
   kOtherElbow,
   kHands,  ///< the two hands meet, wherever the non-dominant one is
+  kOtherThumbBall,
+  kOtherWristRadial,
+  kOtherWristUlnar,
+  kOtherElbowInside,
+  kOtherDigitSites,  ///< the first of the sites of the other hand's digits: other_location(DigitSite) in vocabulary.h
 };
 
 /// The part of the articulating hand that touches, or that is placed at the location.
@@ -109,9 +128,44 @@ enum class HandPart {
   kIndexMidJoint,
   kThumbSide,
   kIndexPad,  ///< the palmar side of the index between its joints
+  kThumbBall,
+  kWristBack,
+  kWristRadial,
+  kWristUlnar,
+  kForearm,
+  kDigitSites,  ///< the first of the sites of the digits: hand_part(DigitSite) in vocabulary.h
 };
 
-enum class ContactKind { kTouch, kHold, kBrush, kNear };
+/// A place on a digit. The sides of a joint or of the length are those of the digit's own surface.
+enum class DigitFeature {
+  kTip,
+  kNail,
+  kTipPad,
+  kTipRadial,
+  kTipUlnar,
+  kMidPalmar,  ///< the joint in the middle of the digit
+  kMidDorsal,
+  kMidRadial,
+  kMidUlnar,
+  kBasePalmar,  ///< where the digit leaves the hand
+  kBaseDorsal,
+  kBaseRadial,
+  kBaseUlnar,
+  kLengthPalmar,  ///< between the joints
+  kLengthDorsal,
+  kLengthRadial,
+  kLengthUlnar,
+};
+inline constexpr int kDigits = 5, kDigitFeatures = 17;
+
+struct DigitSite {
+  int digit = 0;  ///< 0 the thumb, 1 the index … 4 the little finger
+  DigitFeature feature = DigitFeature::kTip;
+
+  friend bool operator==(const DigitSite&, const DigitSite&) = default;
+};
+
+enum class ContactKind { kTouch, kHold, kBrush, kNear, kInterlock, kCross };
 
 enum class MoveKind {
   kHold,
@@ -126,6 +180,8 @@ enum class MoveKind {
   kRub,
   kTwist,
   kNod,
+  kSwing,  ///< of the wrist, towards the thumb's side and back
+  kStir,   ///< of the wrist, the fingers' tips on a circle
   kShake,
   kSway,
   kBounce,
@@ -143,7 +199,16 @@ enum class MoveKind {
 };
 
 enum class Size { kTiny, kSmall, kMedium, kLarge };
-enum class Manner { kPlain, kSlow, kFast, kSharp };
+enum class Manner {
+  kPlain,
+  kSlow,
+  kFast,
+  kSharp,  ///< ends abruptly
+  kTense,
+  kRest,  ///< with a rest after it
+};
+/// How a movement's width changes while it is made.
+enum class Growth { kNone, kIncreasing, kDecreasing };
 enum class Plane {
   kNone,
   kHorizontal,
@@ -181,6 +246,8 @@ struct Contact {
   std::optional<HandPart>
       part;  ///< of the articulating hand; none = the fingertips its handshape points with, or its palm
   std::optional<Location> target;  ///< where it lands when that is finer than the posture's location
+
+  friend bool operator==(const Contact&, const Contact&) = default;
 };
 
 /// One posture of one hand.
@@ -191,12 +258,23 @@ struct Posture {
   Location location = Location::kNeutral;
   Vec3 offset{0.0};  ///< metres, world axes (+X the signer's left), from the location to the hand
   std::optional<Contact> contact;
+
+  friend bool operator==(const Posture&, const Posture&) = default;
 };
 
 /// A movement. `from` < `to`: the path between two phases; `from` == `to`: a local movement at that phase.
 struct Movement {
   MoveKind kind = MoveKind::kHold;
-  std::optional<Direction> direction;
+  std::optional<Direction> direction;  ///< of a circle: its axis, round which it goes by the right hand's rule
+  std::optional<Direction> bow;        ///< of an arc: where its middle lies; none: up, or away on a steep way. Of
+                                       ///< what is waved on the way: to which side first; none: sideways
+  std::optional<Direction> start;      ///< of a circle: where on it the hand is first, seen from its centre
+  int eighths = 8;                     ///< of a circle: how much of a turn it is; only between phases less than a turn
+  std::optional<Direction> ellipse;    ///< of a circle: its longer axis; none: it is round
+  Size flattening = Size::kMedium;     ///< of an ellipse
+  Growth growth = Growth::kNone;       ///< of a circle (a spiral), or of what is waved on the way
+  std::string digits;                  ///< of moving fingers: which, "1" the thumb to "5" the little finger; empty: all
+  double pace = 1;                     ///< 2: twice as fast as the manner asks
   Size size = Size::kMedium;
   int repeats = 1;  ///< how often the movement is made, at least 1
   MovingHands hands = MovingHands::kDominant;
@@ -204,13 +282,28 @@ struct Movement {
   Plane plane = Plane::kNone;
   int from = 0;
   int to = 0;
+
+  friend bool operator==(const Movement&, const Movement&) = default;
+};
+
+/// A non-manual feature for a part of the sign's time.
+struct NonManualFeature {
+  std::string tier;         ///< "brows", "eyes" …: a member of NonManual, or "mouthing"
+  std::string word;         ///< as that tier has it
+  double from = 0, to = 1;  ///< in shares of the sign's time
+  double amount = 1;        ///< of the usual strength
+
+  friend bool operator==(const NonManualFeature&, const NonManualFeature&) = default;
 };
 
 /// Non-manual features in the lexicon's words ("raise", "furrow", "shake", "puff" …), empty where the sign asks
 /// nothing.
 struct NonManual {
   std::string brows, eyes, mouth, cheeks, head, shoulders, gaze, face;
-  std::string mouthing;  ///< English word mouthed with the sign
+  std::string mouthing;                ///< English word mouthed with the sign
+  std::vector<NonManualFeature> more;  ///< what does not last for the whole sign, or is one of several on a tier
+
+  friend bool operator==(const NonManual&, const NonManual&) = default;
 };
 
 /// Where an entry comes from and how sure we are of it.
@@ -222,6 +315,8 @@ struct Provenance {
   ReviewState review = ReviewState::kUnreviewed;
   std::string reviewed_by;  ///< empty unless reviewed or rejected
   std::string reviewed_on;  ///< ISO date, empty unless reviewed or rejected
+
+  friend bool operator==(const Provenance&, const Provenance&) = default;
 };
 
 struct Sign {
@@ -237,17 +332,23 @@ struct Sign {
   std::vector<Movement> movements;
   NonManual non_manual;
   Provenance provenance;
+
+  friend bool operator==(const Sign&, const Sign&) = default;
 };
 
 /// Angles of one digit in degrees: flexion of its three joints, and abduction away from the middle finger.
 struct FingerAngles {
   double mcp = 0, pip = 0, dip = 0, abduction = 0;
+
+  friend bool operator==(const FingerAngles&, const FingerAngles&) = default;
 };
 
 /// Angles of the thumb. Radial abduction is in the plane of the palm, palmar abduction out of it; opposition turns the
 /// thumb's pad from facing sideways (0) to facing the fingers (1).
 struct ThumbAngles {
   double radial_abduction = 0, palmar_abduction = 0, opposition = 0, mp = 0, ip = 0;
+
+  friend bool operator==(const ThumbAngles&, const ThumbAngles&) = default;
 };
 
 struct Handshape {
@@ -261,6 +362,8 @@ struct Handshape {
   std::string description;  ///< in our own words
   std::vector<std::string> aliases;
   Provenance provenance;
+
+  friend bool operator==(const Handshape&, const Handshape&) = default;
 };
 
 }  // namespace auslan

@@ -28,6 +28,8 @@ std::span<const std::string_view> names_of<Size>();
 template <>
 std::span<const std::string_view> names_of<Manner>();
 template <>
+std::span<const std::string_view> names_of<Growth>();
+template <>
 std::span<const std::string_view> names_of<Plane>();
 template <>
 std::span<const std::string_view> names_of<MovingHands>();
@@ -51,12 +53,22 @@ std::optional<E> from_name(std::string_view name) {
   return std::nullopt;
 }
 
-/// "up", "left-away", "up-left-toward": parts in any order, each axis at most once; nullopt for anything else.
+/// "up", "left-away", "up-left-toward", and with weights "left:383-up:924": parts in any order, each axis at most once,
+/// weights of 1 to kFinestWeight; nullopt for anything else.
 std::optional<Direction> direction_from_name(std::string_view name);
-/// The canonical spelling: left/right, then up/down, then away/toward.
+/// The canonical spelling: left/right, then up/down, then away/toward; a weight of 1 is not written.
 std::string to_name(const Direction& direction);
 /// Unit vector in world axes.
 Vec3 to_vector(const Direction& direction);
+/// One of the 26 where the vector is one, else weights that are off by less than 0.1 degrees.
+Direction to_direction(const Vec3& v);
+
+/// A place on a digit as a part of the articulating hand, and as a place on the other one; and back, nothing for the
+/// parts and places that are none.
+HandPart hand_part(const DigitSite& site);
+Location other_location(const DigitSite& site);
+std::optional<DigitSite> digit_site(HandPart part);
+std::optional<DigitSite> digit_site(Location location);
 
 /// The rule for a location on the other hand (an `nd_…` name or `hands`).
 bool is_on_other_hand(Location location);

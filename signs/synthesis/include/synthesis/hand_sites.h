@@ -36,6 +36,7 @@ class HandSites {
   Posed pose(const HandAngles& angles) const;
   /// A point on a finger's surface: on the axis at `along` (0 knuckle … 2 last joint … 3 tip) pushed out towards `out`.
   Site on_digit(const Posed& posed, size_t digit, double along, const Vec3& out) const;
+  Site digit_place(const Posed& posed, const DigitSite& site) const;
 
   const Figure* figure_ = nullptr;
   Side side_ = Side::kRight;

@@ -38,12 +38,15 @@ struct HandState {
 
 /// A movement laid over a segment: value = amplitude * sin(2 pi (cycles * tau + phase)), faded in and out.
 struct Oscillation {
-  Vec3 shift{0.0};    ///< metres
-  Vec3 turn{0.0};     ///< rotation vector of the hand about the wrist, world axes, radians
-  double wiggle = 0;  ///< finger flexion at the knuckle, radians, each finger a quarter cycle after its neighbour
-  double flex = 0;    ///< flexion of all finger joints together, radians, one-sided (closing only)
+  Vec3 shift{0.0};       ///< metres
+  Vec3 turn{0.0};        ///< rotation vector of the hand about the wrist, world axes, radians
+  Vec3 turn_ahead{0.0};  ///< the same a quarter cycle ahead: with `turn` the hand stirs
+  double wiggle = 0;     ///< finger flexion at the knuckle, radians, each finger a quarter cycle after its neighbour
+  unsigned wiggling = 0x1E;  ///< which digits wiggle: bit 0 the thumb, bit 1 the index …
+  double flex = 0;           ///< flexion of all finger joints together, radians, one-sided (closing only)
   double cycles = 0;
-  double phase = 0;  ///< in cycles
+  double phase = 0;   ///< in cycles
+  double growth = 1;  ///< amplitude at the end over that at the beginning
 };
 
 /// What one hand does between two times.
@@ -56,7 +59,8 @@ struct HandSegment {
   Vec3 circle_u{0.0};               ///< from the circle's centre to the starting point, metres; zero: no circle
   Vec3 circle_v{0.0};               ///< a quarter turn further
   double turns = 0;
-  double digits_lead = 1;  ///< the digits arrive after this fraction of the segment: handshape leads location
+  double circle_growth = 1;  ///< of the circle's size: that at the end over that at the beginning
+  double digits_lead = 1;    ///< the digits arrive after this fraction of the segment: handshape leads location
   Oscillation oscillation;
 };
 
