@@ -90,15 +90,12 @@ double peak_speed(const HandSegment& segment) {
 
 }  // namespace
 
-Way find_way(const Signer& signer, Side side, const HandState& from, const HandState& to, const Vec3& bulge,
-             const std::optional<Quat>& turn_middle) {
+Way find_way(const Signer& signer, Side side, const HandSegment& wanted) {
   Way way;
+  way.segment = wanted;
+  way.segment.begin = 0;
   way.segment.end = kTicksPerSecond;
-  way.segment.from = from;
-  way.segment.to = to;
-  way.segment.bulge = bulge;
-  way.segment.turn_middle = turn_middle;
-  const Vec3 apart = to.wrist.position - from.wrist.position;
+  const Vec3 apart = wanted.to.wrist.position - wanted.from.wrist.position;
   if (glm::dot(apart, apart) < 1e-4) return way;
   bend_out(signer, side, way.segment);
   swing_out(signer, side, way.segment);

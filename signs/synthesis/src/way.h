@@ -6,8 +6,6 @@
 #include "synthesis/score.h"
 #include "synthesis/signer.h"
 
-#include <optional>
-
 namespace auslan {
 
 /// A segment without times, and how long it takes at least.
@@ -18,9 +16,9 @@ struct Way {
       0;  ///< how deep the hand still goes into the trunk on the way, metres; 0 where that is too little to count
 };
 
-/// `bulge` and `turn_middle`: how path and hand are bent in any case. Where it would lead through the trunk it is bent
-/// out of it, and the elbow swung out where the forearm would. What the ends touch may be touched near them too.
-Way find_way(const Signer& signer, Side side, const HandState& from, const HandState& to, const Vec3& bulge,
-             const std::optional<Quat>& turn_middle = std::nullopt);
+/// `wanted`: from where to where, and how the path and the hand are bent in any case. Where the path would lead through
+/// the trunk it is bent out of it, and the elbow swung out where the forearm would. What the ends touch may be touched
+/// near them too.
+Way find_way(const Signer& signer, Side side, const HandSegment& wanted);
 
 }  // namespace auslan
