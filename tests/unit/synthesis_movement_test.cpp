@@ -256,6 +256,26 @@ TEST(Movement, TheBaseHandSetsOutBeforeTheSignThatNeedsItDoes) {
   EXPECT_EQ(moves->end, score.glosses[1].begin);
 }
 
+/// Of signs that touch the body at their start and come from far off: in the last quarter of the time, when a straight
+/// way would slide along the skin, the hand comes within 60 degrees of the normal.
+TEST(Movement, HandsComeToWhatTheyTouchAlongItsNormal) {
+  int met = 0;
+  for (const char* gloss : {"MOTHER", "THINK", "DOCTOR", "MY", "I", "SHOULDER", "HOSPITAL"}) {
+    const Score score = score_of({"WHERE", gloss});
+    const auto& track = score.hands[static_cast<size_t>(Side::kRight)];
+    const auto way = std::find_if(track.begin(), track.end(),
+                                  [&](const HandSegment& segment) { return segment.end == score.glosses[1].begin; });
+    ASSERT_NE(way, track.end()) << gloss;
+    if (way->approach == Vec3(0.0)) continue;
+    ++met;
+    const Vec3 normal = unit(way->approach);
+    const Vec3 last =
+        way->to.wrist.position - state_at(*way, way->begin + (way->end - way->begin) * 3 / 4).wrist.position;
+    EXPECT_GT(-glm::dot(last, normal), 0.5 * length(last)) << gloss;
+  }
+  EXPECT_GT(met, 2);
+}
+
 TEST(Movement, IdleLifeIsTheSeedsAndCanBeTurnedOff) {
   const Score score = score_of({"HELLO"});
   const auto trunk = [&](const PerformanceOptions& options, Tick time) {

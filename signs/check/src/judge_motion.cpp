@@ -105,7 +105,9 @@ void Judge::strokes() {
       const Oscillation& o = segment.oscillation;
       if (segment.turns > 0 || o.shift != Vec3(0.0) || o.turn != Vec3(0.0)) continue;
       const double way = length(segment.to.wrist.position - segment.from.wrist.position);
-      if (way < kShortestStroke || length(segment.bulge) > kStraightest * way) continue;
+      if (way < kShortestStroke ||
+          length(segment.bulge) + length(segment.leave) + length(segment.approach) > kStraightest * way)
+        continue;
       double peak = 0.0;
       double sum = 0.0;
       Tick last = segment.begin;

@@ -63,8 +63,10 @@ class Choreographer {
   void stay(size_t side, Tick until);
   /// Fills the track of a hand with a segment that ends then; nothing when it reaches so far already.
   void append(size_t side, Tick until, HandSegment segment);
-  Way way_to(size_t side, const HandState& to, const Vec3& bulge, double digits_lead,
-             const HandSegment* other = nullptr) const;
+  /// On from where the hand is; `wanted` says where to and how the path is bent in any case, `other` what the other hand
+  /// does meanwhile, if anything.
+  Way way_to(size_t side, HandSegment wanted, const HandSegment* other = nullptr) const;
+  Way way_to_rest(size_t side, double forwards) const;
   /// Brings the base hand down while the other one goes on.
   void lower_left();
   /// What becomes of the base hand when a sign does not use it: it waits, or goes down.
@@ -133,20 +135,16 @@ void Choreographer::append(size_t side, Tick until, HandSegment segment) {
   hand_[side] = segment.to;
 }
 
-Way Choreographer::way_to(size_t side, const HandState& to, const Vec3& bulge, double digits_lead,
-                          const HandSegment* other) const {
+Way Choreographer::way_to(size_t side, HandSegment wanted, const HandSegment* other) const {
   const auto hand = static_cast<Side>(side);
-  HandSegment straight;
-  straight.from = hand_[side];
-  straight.to = to;
-  straight.bulge = bulge;
+  wanted.from = hand_[side];
   const auto with = [&](const std::optional<Quat>& turn_middle) {
-    Way way = find_way(signer_, hand, hand_[side], to, bulge, turn_middle, other);
-    way.segment.digits_lead = digits_lead;
+    wanted.turn_middle = turn_middle;
+    Way way = find_way(signer_, hand, wanted, other);
     way.seconds = std::max(way.seconds, shortest_seconds(signer_, hand, way.segment));
     return way;
   };
-  Way way = with(turn_through_joints(signer_, hand, straight));
+  Way way = with(turn_through_joints(signer_, hand, wanted));
   // Where the bent way asks too much of the arm, or still leads into the trunk: turned as the bent way wants it, or as
   // the hand turns least.
   constexpr double kTooLong = 0.6, kSecondsPerMetre = 25.0;
@@ -159,8 +157,15 @@ Way Choreographer::way_to(size_t side, const HandState& to, const Vec3& bulge, d
   return way;
 }
 
+Way Choreographer::way_to_rest(size_t side, double forwards) const {
+  HandSegment wanted;
+  wanted.to = signer_.rest(static_cast<Side>(side));
+  wanted.bulge = Vec3(0, 0, forwards);
+  return way_to(side, wanted);
+}
+
 void Choreographer::lower_left() {
-  const Way way = way_to(kLeft, signer_.rest(Side::kLeft), Vec3(0, 0, 0.04), 1.0);
+  const Way way = way_to_rest(kLeft, 0.04);
   stay(kLeft, now_);
   append(kLeft, laid_out(kLeft) + paced(stroke::kLongestTransition, way.seconds), way.segment);
   raised_[kLeft] = false;
@@ -192,14 +197,18 @@ void Choreographer::transition(const SignPerformance& performance, size_t index)
     const Vec3 way = to.wrist.position - hand_[side].wrist.position;
     const double distance = std::sqrt(glm::dot(way, way));
     // Away from what is left and towards what is met along their normals, and clear of the body on long ways.
-    const double lift = std::min(0.06, 0.3 * distance);
-    Vec3 bulge = 0.8 * lift * (performance.approach[side] + leave_[side]);
-    bulge.z += std::max(0.0, 0.22 * (distance - 0.08));
+    const double lift = std::min(0.07, 0.35 * distance);
+    HandSegment wanted;
+    wanted.to = to;
+    wanted.bulge.z = std::max(0.0, 0.22 * (distance - 0.08));
+    wanted.leave = lift * leave_[side];
+    wanted.approach = lift * performance.approach[side];
+    wanted.digits_lead = unit.spelled ? 0.85 : 0.75;
     // The base hand goes its way, and the other one keeps clear of it.
     HandSegment left = ways[kLeft].segment;
     if (!performance.active[kLeft]) left.from = left.to = hand_[kLeft];
     const bool meets = side == kRight && (performance.active[kLeft] || raised_[kLeft]);
-    ways[side] = way_to(side, to, bulge, unit.spelled ? 0.85 : 0.75, meets ? &left : nullptr);
+    ways[side] = way_to(side, wanted, meets ? &left : nullptr);
   }
   const Tick right = paced(times[kRight], ways[kRight].seconds);
   const Tick left = performance.active[kLeft] ? paced(times[kLeft], ways[kLeft].seconds) : 0;
@@ -413,7 +422,6 @@ Result<Score> Choreographer::run() {
   if (utterance_.units.empty()) return fail(ErrorCode::kUsage, "there is nothing to sign");
   if (!(options_.speed >= 0.25 && options_.speed <= 4.0))
     return fail(ErrorCode::kUsage, "the speed must lie between 0.25 and 4");
-  const HandState low_left = signer_.rest(Side::kLeft), low_right = signer_.rest(Side::kRight);
   now_ = scaled(0.15);
   stay(kRight, now_);
   for (size_t i = 0; i < utterance_.units.size(); ++i) {
@@ -461,7 +469,7 @@ Result<Score> Choreographer::run() {
   Tick lowered = now_;
   for (const size_t side : {kLeft, kRight}) {
     if (!raised_[side]) continue;
-    const Way way = way_to(side, side == kLeft ? low_left : low_right, Vec3(0, 0, 0.05), 1.0);
+    const Way way = way_to_rest(side, 0.05);
     stay(side, now_);
     append(side, now_ + paced(stroke::kFromRest + 0.1, way.seconds), way.segment);
     lowered = std::max(lowered, laid_out(side));

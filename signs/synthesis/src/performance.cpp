@@ -152,8 +152,9 @@ HandState state_after(const HandSegment& segment, double tau) {
   const double s = minimum_jerk(tau);
   const HandState &a = segment.from, &b = segment.to;
   HandState state;
-  state.wrist.position =
-      a.wrist.position + (b.wrist.position - a.wrist.position) * s + segment.bulge * (4.0 * s * (1.0 - s));
+  state.wrist.position = a.wrist.position + (b.wrist.position - a.wrist.position) * s +
+                         segment.bulge * (4.0 * s * (1.0 - s)) +
+                         (segment.leave * (1.0 - s) + segment.approach * s) * (6.75 * s * (1.0 - s));
   if (segment.turns > 0) {
     double sn = 0, cs = 1;
     sine_cosine(2.0 * kPi * segment.turns * steady(tau, std::min(0.5, kRamp / segment.turns)), sn, cs);

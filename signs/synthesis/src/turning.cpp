@@ -96,7 +96,8 @@ std::optional<Quat> turn_through_joints(const Signer& signer, Side side, const H
   const ArmNodes nodes = arm_nodes(skeleton, side);
   const ArmSolution from = arm_of(signer, side, segment.from), to = arm_of(signer, side, segment.to);
   HandState half;
-  half.wrist.position = 0.5 * (segment.from.wrist.position + segment.to.wrist.position) + segment.bulge;
+  half.wrist.position = 0.5 * (segment.from.wrist.position + segment.to.wrist.position) + segment.bulge +
+                        0.84375 * (segment.leave + segment.approach);
   half.wrist.rotation = slerp(segment.from.wrist.rotation, segment.to.wrist.rotation, 0.5);
   half.swivel = 0.5 * (segment.from.swivel + segment.to.swivel) + segment.swivel_bulge;
   const ArmSolution arm = arm_of(signer, side, half);

@@ -112,14 +112,11 @@ double peak_speed(const HandSegment& segment) {
 
 }  // namespace
 
-Way find_way(const Signer& signer, Side side, const HandState& from, const HandState& to, const Vec3& bulge,
-             const std::optional<Quat>& turn_middle, const HandSegment* other) {
+Way find_way(const Signer& signer, Side side, const HandSegment& wanted, const HandSegment* other) {
   Way way;
+  way.segment = wanted;
+  way.segment.begin = 0;
   way.segment.end = kTicksPerSecond;
-  way.segment.from = from;
-  way.segment.to = to;
-  way.segment.bulge = bulge;
-  way.segment.turn_middle = turn_middle;
   way.depth = keep_clear(signer, side, way.segment, other);
   way.seconds = seconds_of_wrist(way.segment);
   return way;

@@ -6,8 +6,6 @@
 #include "synthesis/score.h"
 #include "synthesis/signer.h"
 
-#include <optional>
-
 namespace auslan {
 
 /// A segment without times, and how long it takes at least.
@@ -17,11 +15,10 @@ struct Way {
   double depth = 0;  ///< how deep the hand still goes into something on the way, metres; 0 where too little to count
 };
 
-/// `bulge` and `turn_middle`: how path and hand are bent in any case. Where it would lead through head, trunk or the
-/// other arm it is bent out of them, and the elbow swung out where the forearm would run into the trunk. What the ends
-/// touch may be touched near them too. `other`: what the other arm does at the same time, or null.
-Way find_way(const Signer& signer, Side side, const HandState& from, const HandState& to, const Vec3& bulge,
-             const std::optional<Quat>& turn_middle, const HandSegment* other);
+/// `wanted`: from where to where, and how the path and the hand are bent in any case. Where the path would lead through
+/// head, trunk or the other arm it is bent out of them, and the elbow swung out where the forearm would run into the
+/// trunk. What the ends touch may be touched near them too. `other`: what the other arm does at the same time, or null.
+Way find_way(const Signer& signer, Side side, const HandSegment& wanted, const HandSegment* other);
 
 /// The same for a path that an entry prescribes: bends it as little as it takes. Returns the depth that is left.
 double keep_clear(const Signer& signer, Side side, HandSegment& segment, const HandSegment* other);

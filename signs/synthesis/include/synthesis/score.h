@@ -53,7 +53,10 @@ struct Oscillation {
 struct HandSegment {
   Tick begin = 0, end = 0;
   HandState from, to;
-  Vec3 bulge{0.0};                  ///< displacement of the middle of the path from the straight line, metres
+  Vec3 bulge{0.0};  ///< displacement of the middle of the path from the straight line, metres
+  /// Metres by which the path stands off where it leaves a surface and where it comes to one: most a third of the way
+  /// from that end, so that the hand goes and comes along the surface's normal.
+  Vec3 leave{0.0}, approach{0.0};
   std::optional<Quat> turn_middle;  ///< world_from_wrist in the middle of the path; none: the shortest turn is made
   double swivel_bulge = 0;          ///< by which the elbow swings out in the middle of the path, radians
   Vec3 circle_u{0.0};               ///< from the circle's centre to the starting point, metres; zero: no circle
