@@ -123,9 +123,9 @@ Result<void> insert_moves(Statement& row, const Sign& sign) {
     row.bind(to_name(move.hands));
     row.bind(to_name(move.manner));
     row.bind(to_name(move.plane));
-    const auto optional_direction = [&row](const std::optional<Direction>& direction) {
-      if (direction)
-        row.bind(std::string_view(to_name(*direction)));
+    const auto optional_direction = [&row](const std::optional<Direction>& given) {
+      if (given)
+        row.bind(std::string_view(to_name(*given)));
       else
         row.bind_null();
     };

@@ -7,7 +7,7 @@
 namespace auslan {
 namespace {
 
-constexpr size_t kDigitPoints = 20, kPalmPoints = 72, kArmPoints = 24;
+constexpr size_t kDigitPoints = 20, kPalmPoints = 72, kArmPoints = 48;
 
 double squared(const Vec3& v) {
   return glm::dot(v, v);

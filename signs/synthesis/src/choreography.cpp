@@ -63,8 +63,8 @@ class Choreographer {
   void stay(size_t side, Tick until);
   /// Fills the track of a hand with a segment that ends then; nothing when it reaches so far already.
   void append(size_t side, Tick until, HandSegment segment);
-  /// On from where the hand is; `wanted` says where to and how the path is bent in any case, `other` what the other hand
-  /// does meanwhile, if anything.
+  /// On from where the hand is; `wanted` says where to and how the path is bent in any case, `other` what the other
+  /// hand does meanwhile, if anything.
   Way way_to(size_t side, HandSegment wanted, const HandSegment* other = nullptr) const;
   Way way_to_rest(size_t side, double forwards) const;
   /// Brings the base hand down while the other one goes on.

@@ -33,7 +33,7 @@ constexpr double kLeanCost = 36.0, kFarLeanCost = 200.0, kExcessCost = 2000.0, k
 constexpr double kContactLean = 12.0 * kDegree;
 constexpr double kComesFrom = 0.03, kWell = 0.002;
 constexpr size_t kAllPoints = 1000;
-constexpr double kShiftCost = 120.0, kLargestShift = 0.2;  // of a hand in the air; per square metre, metres
+constexpr double kShiftCost = 250.0, kLargestShift = 0.1;  // of a hand in the air; per square metre, metres
 
 /// The part that a hand touches with where the entry does not say: a pointing hand its tip, a broad one the palm when
 /// that faces the place, else the fingertips.
