@@ -10,6 +10,7 @@ namespace auslan::raster {
 
 struct Neon {
   static constexpr int kRowsAtOnce = 2;
+  static constexpr size_t kLanes = 8;
   struct F {
     float32x4_t l, h;
     friend F operator+(F a, F b) { return {vaddq_f32(a.l, b.l), vaddq_f32(a.h, b.h)}; }
@@ -103,6 +104,61 @@ struct Neon {
     stored = select(visible, z, stored);
     return visible;
   }
+
+  template <size_t kSamples>
+  static F repeat(const float* p) {
+    if constexpr (kSamples == 2) {
+      const float32x2_t two = vld1_f32(p);
+      return {vcombine_f32(two, two), vcombine_f32(two, two)};
+    } else {
+      return load_2x4(p, kSamples == 4 ? 0 : 4);
+    }
+  }
+  template <size_t kSamples>
+  static I repeat(const int32_t* p) {
+    return bits(repeat<kSamples>(reinterpret_cast<const float*>(p)));  // bits that pass through
+  }
+  template <size_t kSamples>
+  static void expand(I a, I (&out)[kSamples]) {
+    uint32_t lanes[8];
+    store(lanes, a);
+    for (size_t v = 0; v < kSamples; ++v) {
+      const auto four = [&lanes](size_t first) {
+        if constexpr (kSamples == 2) {
+          const int32x4_t pair =
+              vreinterpretq_s32_u64(vcombine_u64(vreinterpret_u64_u32(vdup_n_u32(lanes[first / 2])),
+                                                 vreinterpret_u64_u32(vdup_n_u32(lanes[first / 2 + 1]))));
+          return pair;
+        } else {
+          return vreinterpretq_s32_u32(vdupq_n_u32(lanes[first / kSamples]));
+        }
+      };
+      out[v] = {four(8 * v), four(8 * v + 4)};
+    }
+  }
+  template <size_t kSamples>
+  static void split(const uint32_t* p, I (&out)[kSamples]) {
+    if constexpr (kSamples == 2) {
+      const uint32x4x2_t low = vld2q_u32(p);
+      const uint32x4x2_t high = vld2q_u32(p + 8);
+      for (size_t s = 0; s < 2; ++s)
+        out[s] = lanes_of(low.val[s], high.val[s]);
+    } else if constexpr (kSamples == 4) {
+      const uint32x4x4_t low = vld4q_u32(p);
+      const uint32x4x4_t high = vld4q_u32(p + 16);
+      for (size_t s = 0; s < 4; ++s)
+        out[s] = lanes_of(low.val[s], high.val[s]);
+    } else {
+      for (size_t s = 0; s < kSamples; ++s) {
+        uint32_t lanes[8];
+        for (size_t i = 0; i < 8; ++i)
+          lanes[i] = p[i * kSamples + s];
+        out[s] = load(lanes);
+      }
+    }
+  }
+  template <size_t>
+  static Neon sample_lanes();
 
   static F load_2x4(const float* p, size_t stride) { return {vld1q_f32(p), vld1q_f32(p + stride)}; }
   static I load_2x4(const uint32_t* p, size_t stride) { return lanes_of(vld1q_u32(p), vld1q_u32(p + stride)); }

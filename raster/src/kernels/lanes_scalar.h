@@ -287,6 +287,38 @@ struct Scalar {
     }
   }
 
+  /// kSamples numbers from memory, again and again in all lanes.
+  template <size_t kSamples>
+  static F repeat(const float* p) {
+    F r;
+    for (size_t i = 0; i < kLanes; ++i)
+      r.v[i] = p[i % kSamples];
+    return r;
+  }
+  template <size_t kSamples>
+  static I repeat(const int32_t* p) {
+    I r;
+    for (size_t i = 0; i < kLanes; ++i)
+      r.v[i] = static_cast<uint32_t>(p[i % kSamples]);
+    return r;
+  }
+  /// Each lane kSamples times, one after the other.
+  template <size_t kSamples>
+  static void expand(const I& a, I (&out)[kSamples]) {
+    for (size_t i = 0; i < kLanes * kSamples; ++i)
+      out[i / kLanes].v[i % kLanes] = a.v[i / kSamples];
+  }
+  /// Of eight times kSamples numbers in memory the first of each kSamples, the second, ...
+  template <size_t kSamples>
+  static void split(const uint32_t* p, I (&out)[kSamples]) {
+    for (size_t i = 0; i < kLanes * kSamples; ++i)
+      out[i % kSamples].v[i / kSamples] = p[i];
+  }
+  /// Lanes for the samples of pixels side by side: a type with the part of this contract that fill_samples.h uses, and
+  /// with at least kSamples lanes.
+  template <size_t>
+  static Scalar sample_lanes();
+
   /// Lane i of a, b, c, d: the four floats at base + number[i] * stride.
   static void gather_quads(const float* base, const uint32_t* number, size_t stride, F& a, F& b, F& c, F& d) {
     for (size_t i = 0; i < kLanes; ++i) {

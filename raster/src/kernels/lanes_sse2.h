@@ -8,8 +8,66 @@
 
 namespace auslan::raster {
 
+/// Four lanes in one register: what fill_samples.h needs for up to four samples, so that a pixel at a time is in hand.
+struct Sse2Quad {
+  static constexpr size_t kLanes = 4;
+  struct F {
+    __m128 v;
+    friend F operator+(F a, F b) { return {_mm_add_ps(a.v, b.v)}; }
+  };
+  struct I {
+    __m128i v;
+    friend I operator+(I a, I b) { return {_mm_add_epi32(a.v, b.v)}; }
+    friend I operator&(I a, I b) { return {_mm_and_si128(a.v, b.v)}; }
+    friend I operator|(I a, I b) { return {_mm_or_si128(a.v, b.v)}; }
+  };
+  static I set(int32_t x) { return {_mm_set1_epi32(x)}; }
+  static F spread(const float* p) { return {_mm_set1_ps(*p)}; }
+  static I spread(const int32_t* p) { return {_mm_shuffle_epi32(_mm_loadu_si32(p), 0)}; }
+  static F load(const float* p) { return {_mm_loadu_ps(p)}; }
+  static I load(const uint32_t* p) { return {_mm_loadu_si128(reinterpret_cast<const __m128i*>(p))}; }
+  static void store(float* p, F a) { _mm_storeu_ps(p, a.v); }
+  static void store(uint32_t* p, I a) { _mm_storeu_si128(reinterpret_cast<__m128i*>(p), a.v); }
+  static I select(I mask, I yes, I no) {
+    return {_mm_or_si128(_mm_and_si128(mask.v, yes.v), _mm_andnot_si128(mask.v, no.v))};
+  }
+  static I dot(I a, I b) { return {_mm_madd_epi16(a.v, b.v)}; }
+  static I min16(I a, I b) { return {_mm_min_epi16(a.v, b.v)}; }
+  static I max16(I a, I b) { return {_mm_max_epi16(a.v, b.v)}; }
+  static I add16(I a, I b) { return {_mm_add_epi16(a.v, b.v)}; }
+  static I multiply16(I a, I b) { return {_mm_mullo_epi16(a.v, b.v)}; }
+  template <int kBits>
+  static I shift_left(I a) {
+    return {_mm_slli_epi32(a.v, kBits)};
+  }
+  template <int kBits>
+  static I shift_right16(I a) {
+    return {_mm_srli_epi16(a.v, kBits)};
+  }
+  static I keep_greater(I outside, F z, F& stored) {
+    const __m128 inside = _mm_andnot_ps(_mm_castsi128_ps(_mm_srai_epi32(outside.v, 31)), z.v);
+    const __m128 visible = _mm_cmpgt_ps(inside, stored.v);
+    stored = {_mm_max_ps(inside, stored.v)};
+    return {_mm_castps_si128(visible)};
+  }
+  template <size_t kSamples>
+  static F repeat(const float* p) {
+    if constexpr (kSamples == 2) {
+      const __m128 two = _mm_castpd_ps(_mm_load_sd(reinterpret_cast<const double*>(p)));
+      return {_mm_movelh_ps(two, two)};
+    } else {
+      return load(p);
+    }
+  }
+  template <size_t kSamples>
+  static I repeat(const int32_t* p) {
+    return {_mm_castps_si128(repeat<kSamples>(reinterpret_cast<const float*>(p)).v)};  // bits that pass through
+  }
+};
+
 struct Sse2 {
   static constexpr int kRowsAtOnce = 1;
+  static constexpr size_t kLanes = 8;
   struct F {
     __m128 l, h;
     friend F operator+(F a, F b) { return {_mm_add_ps(a.l, b.l), _mm_add_ps(a.h, b.h)}; }
@@ -98,6 +156,63 @@ struct Sse2 {
     const I visible = greater(inside, stored);
     stored = max(inside, stored);
     return visible;
+  }
+
+  template <size_t kSamples>
+  static F repeat(const float* p) {
+    if constexpr (kSamples == 8) return load(p);
+    const __m128 four = Sse2Quad::repeat<kSamples>(p).v;
+    return {four, four};
+  }
+  template <size_t kSamples>
+  static I repeat(const int32_t* p) {
+    return bits(repeat<kSamples>(reinterpret_cast<const float*>(p)));  // bits that pass through
+  }
+  template <size_t kSamples>
+  static void expand(I a, I (&out)[kSamples]) {
+    if constexpr (kSamples == 2) {
+      out[0] = {_mm_unpacklo_epi32(a.l, a.l), _mm_unpackhi_epi32(a.l, a.l)};
+      out[1] = {_mm_unpacklo_epi32(a.h, a.h), _mm_unpackhi_epi32(a.h, a.h)};
+    } else if constexpr (kSamples == 4) {
+      out[0] = {_mm_shuffle_epi32(a.l, 0x00), _mm_shuffle_epi32(a.l, 0x55)};
+      out[1] = {_mm_shuffle_epi32(a.l, 0xAA), _mm_shuffle_epi32(a.l, 0xFF)};
+      out[2] = {_mm_shuffle_epi32(a.h, 0x00), _mm_shuffle_epi32(a.h, 0x55)};
+      out[3] = {_mm_shuffle_epi32(a.h, 0xAA), _mm_shuffle_epi32(a.h, 0xFF)};
+    } else {
+      int32_t lanes[8];
+      store(lanes, a);
+      for (size_t v = 0; v < kSamples; ++v)
+        out[v] = set(lanes[v]);
+    }
+  }
+  template <size_t kSamples>
+  static void split(const uint32_t* p, I (&out)[kSamples]) {
+    const auto four = [p](size_t i) { return _mm_castsi128_ps(load4(p + i)); };
+    if constexpr (kSamples == 2) {
+      const auto every_other = [four](size_t i, bool odd) {
+        return _mm_castps_si128(odd ? _mm_shuffle_ps(four(i), four(i + 4), 0xDD)
+                                    : _mm_shuffle_ps(four(i), four(i + 4), 0x88));
+      };
+      out[0] = {every_other(0, false), every_other(8, false)};
+      out[1] = {every_other(0, true), every_other(8, true)};
+    } else {
+      for (size_t s = 0; s < kSamples; s += 4) {
+        const auto pixel = [four, s](size_t i) { return four(i * kSamples + s); };
+        F f[4];
+        transpose(pixel(0), pixel(1), pixel(2), pixel(3), f[0].l, f[1].l, f[2].l, f[3].l);
+        transpose(pixel(4), pixel(5), pixel(6), pixel(7), f[0].h, f[1].h, f[2].h, f[3].h);
+        for (size_t i = 0; i < 4; ++i)
+          out[s + i] = bits(f[i]);
+      }
+    }
+  }
+  template <size_t kSamples>
+  static auto sample_lanes() {
+    if constexpr (kSamples <= 4) {
+      return Sse2Quad{};
+    } else {
+      return Sse2{};
+    }
   }
 
   static F load_2x4(const float* p, size_t stride) { return {_mm_loadu_ps(p), _mm_loadu_ps(p + stride)}; }

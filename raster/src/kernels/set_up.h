@@ -37,9 +37,10 @@ struct SmallGroup {
   };
   Colours colour, colour_x, colour_y;
 
-  // Used with several samples only, where a pixel's centre may lie beside the triangle.
-  int32_t below[kSamples][3][8];    ///< a sample's start less the greatest
-  float sample_depth[kSamples][8];  ///< a sample's depth less its pixel centre's
+  // Used with several samples only, where a pixel's centre may lie beside the triangle. A triangle's samples stand
+  // together.
+  alignas(32) int32_t sample_start[3][8][kSamples];
+  alignas(32) float sample_depth[8][kSamples];  ///< a sample's depth less its pixel centre's
   Colours colour_least, colour_greatest;
 };
 
@@ -146,8 +147,10 @@ struct SetUp {
         for (size_t s = 1; s < kSamples; ++s)
           highest = L::max(highest, start[s]);
         L::store(out.start[e], highest);
+        F words[kSamples];
         for (size_t s = 0; s < kSamples; ++s)
-          L::store(out.below[s][e], start[s] - highest);
+          words[s] = L::from_bits(start[s]);
+        store_together(words, reinterpret_cast<float*>(out.sample_start[e]));
       }
     }
 
@@ -216,17 +219,34 @@ struct SetUp {
     return L::signs(perspective | sliver | steep);
   }
 
+  // A lane's samples side by side.
+  static void store_together(const F (&samples)[kSamples], float* out) {
+    if constexpr (kSamples == 2) {
+      L::scatter_pairs(out, samples[0], samples[1]);
+    } else if constexpr (kSamples == 4) {
+      L::scatter_quads(out, samples[0], samples[1], samples[2], samples[3]);
+    } else {
+      for (size_t s = 0; s < kSamples; ++s) {
+        float lanes[8];
+        L::store(lanes, samples[s]);
+        for (size_t i = 0; i < 8; ++i)
+          out[i * kSamples + s] = lanes[i];
+      }
+    }
+  }
   static void store_colours(const I (&blue_green_red)[3], typename SmallGroup<kSamples>::Colours& out) {
     L::store(out.blue_red, L::pair(blue_green_red[0], blue_green_red[2]));
     L::store(out.green, L::template shift_left<SmallGroup<kSamples>::kGreenShift>(blue_green_red[1]));
   }
   static void store_ranges(F depth_x, F depth_y, const I (&least)[2], const I (&greatest)[2],
                            SmallGroup<kSamples>& out) {
+    F depth[kSamples];
     for (size_t s = 0; s < kSamples; ++s) {
       constexpr float kPixel = 1.0F / static_cast<float>(kSubPixels);
-      L::store(out.sample_depth[s], L::set(static_cast<float>(Pattern::kX[s]) * kPixel) * depth_x +
-                                        L::set(static_cast<float>(Pattern::kY[s]) * kPixel) * depth_y);
+      depth[s] = L::set(static_cast<float>(Pattern::kX[s]) * kPixel) * depth_x +
+                 L::set(static_cast<float>(Pattern::kY[s]) * kPixel) * depth_y;
     }
+    store_together(depth, out.sample_depth[0]);
     const I bias = L::set(packed(kColourBias, kColourBias));
     const auto store = [bias](const I(&levels)[2], typename SmallGroup<kSamples>::Colours& colours) {
       const I blue_green = L::add16(levels[0], bias);
