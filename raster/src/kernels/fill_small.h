@@ -56,12 +56,9 @@ struct FillSmall {
   }
   static bool is_gouraud(const Group& g, size_t k) { return (g.word[k] & kGouraudColour) != 0U; }
   static Colours flat_colours(uint32_t word) {
-    const auto fixed = [](uint32_t level) {
-      return static_cast<uint32_t>(static_cast<int32_t>(level << kLevelBits) - Group::kLess) & 0xFFFFU;
-    };
     // Red has the bit above it too: kStandInColour is to come out as it is.
-    return {L::set(static_cast<int32_t>(fixed(word & 0xFFU) | fixed(word >> 16U & 0x1FFU) << 16U)),
-            L::set(static_cast<int32_t>(fixed(word >> 8U & 0xFFU) << Group::kGreenShift))};
+    return {L::set(static_cast<int32_t>((word & 0xFFU) << kLevelBits | (word >> 16U & 0x1FFU) << (16 + kLevelBits))),
+            L::set(static_cast<int32_t>((word >> 8U & 0xFFU) << (kLevelBits + 1)))};
   }
 
   // Eight pixels: the place, and what changes from block to block of a triangle.

@@ -156,6 +156,28 @@ struct Avx2 {
         out[s] = {_mm256_i32gather_epi32(reinterpret_cast<const int*>(p + s), numbers, 4)};
     }
   }
+  template <size_t kSamples>
+  static I words_of_samples(I colours) {
+    // The first four bytes of each half's pixels, and the next four.
+    constexpr int kLast = kSamples == 8 ? 0 : 1;
+    const __m256i order = kSamples == 2 ? _mm256_setr_epi32(0, 0, 1, 1, 4, 4, 5, 5)
+                                        : _mm256_setr_epi32(0, 0, 0, 0, kLast, kLast, kLast, kLast);
+    return {_mm256_permutevar8x32_epi32(_mm256_packus_epi16(colours.v, colours.v), order)};
+  }
+  // With what fill_samples.h needs to find a row's pixels.
+  struct Crossings {
+    __m128 v;
+  };
+  static Crossings load_crossings(const float* p) { return {_mm_loadu_ps(p)}; }
+  static Crossings sum(Crossings a, Crossings b) { return {_mm_add_ps(a.v, b.v)}; }
+  static void pixels_between(Crossings a, int32_t width, int32_t& first, int32_t& minus_last) {
+    const __m128 least = _mm_setr_ps(-1.0F, static_cast<float>(1 - width), 0.0F, 0.0F);
+    const __m128 greater = _mm_max_ps(_mm_max_ps(a.v, _mm_movehl_ps(a.v, a.v)), least);
+    const __m128 held = _mm_min_ps(greater, _mm_setr_ps(64.0F, 1.0F, 0.0F, 0.0F));
+    const int64_t both = _mm_cvtsi128_si64(_mm_cvttps_epi32(_mm_add_ps(held, _mm_setr_ps(1.0F, 0.0F, 0.0F, 0.0F))));
+    first = static_cast<int32_t>(both);
+    minus_last = static_cast<int32_t>(both >> 32);
+  }
   template <size_t>
   static Avx2 sample_lanes();
 

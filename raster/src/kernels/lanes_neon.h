@@ -157,6 +157,31 @@ struct Neon {
       }
     }
   }
+  template <size_t kSamples>
+  static I words_of_samples(I colours) {
+    const auto words = [](int32x4_t pixels) { return vreinterpret_s32_u8(vqmovun_s16(vreinterpretq_s16_s32(pixels))); };
+    const int32x2_t low = words(colours.l);
+    if constexpr (kSamples == 2) {
+      const int32x2_t high = words(colours.h);
+      return {vcombine_s32(vdup_lane_s32(low, 0), vdup_lane_s32(low, 1)),
+              vcombine_s32(vdup_lane_s32(high, 0), vdup_lane_s32(high, 1))};
+    } else {
+      return {vdupq_lane_s32(low, 0), vdupq_lane_s32(low, kSamples == 4 ? 1 : 0)};
+    }
+  }
+  // With what fill_samples.h needs to find a row's pixels.
+  struct Crossings {
+    float32x4_t v;
+  };
+  static Crossings load_crossings(const float* p) { return {vld1q_f32(p)}; }
+  static Crossings sum(Crossings a, Crossings b) { return {vaddq_f32(a.v, b.v)}; }
+  static void pixels_between(Crossings a, int32_t width, int32_t& first, int32_t& minus_last) {
+    const float32x2_t least = vset_lane_f32(static_cast<float>(1 - width), vdup_n_f32(-1.0F), 1);
+    const float32x2_t greatest = vset_lane_f32(1.0F, vdup_n_f32(64.0F), 1);
+    const float32x2_t held = vmin_f32(vmax_f32(vmax_f32(vget_low_f32(a.v), vget_high_f32(a.v)), least), greatest);
+    first = static_cast<int32_t>(vget_lane_f32(held, 0) + 1.0F);
+    minus_last = static_cast<int32_t>(vget_lane_f32(held, 1));
+  }
   template <size_t>
   static Neon sample_lanes();
 

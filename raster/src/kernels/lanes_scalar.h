@@ -314,6 +314,37 @@ struct Scalar {
     for (size_t i = 0; i < kLanes * kSamples; ++i)
       out[i % kSamples].v[i / kSamples] = p[i];
   }
+  /// Colours of pixels, four 16-bit numbers each, as 0xDDCCBBAA, for each of a pixel's kSamples samples; the numbers
+  /// are 0 to 255.
+  template <size_t kSamples>
+  static I words_of_samples(const I& colours) {
+    I r;
+    for (size_t i = 0; i < kLanes; ++i) {
+      const uint32_t low = colours.v[i / kSamples * 2];
+      const uint32_t high = colours.v[i / kSamples * 2 + 1];
+      r.v[i] = (low & 0xFFU) | (low >> 16U) << 8U | (high & 0xFFU) << 16U | (high >> 16U) << 24U;
+    }
+    return r;
+  }
+  /// Four distances, as SmallGroup has its crossings.
+  struct Crossings {
+    float v[4];
+  };
+  static Crossings load_crossings(const float* p) { return {{p[0], p[1], p[2], p[3]}}; }
+  static Crossings sum(const Crossings& a, const Crossings& b) {
+    return {{a.v[0] + b.v[0], a.v[1] + b.v[1], a.v[2] + b.v[2], a.v[3] + b.v[3]}};
+  }
+  /// The first pixel behind both left crossings and, negative, the last one before both right ones, of a row from 0 to
+  /// `width` - 1; the first is at most kTileWidth + 1.
+  static void pixels_between(const Crossings& a, int32_t width, int32_t& first, int32_t& minus_last) {
+    const auto held = [](float x, float y, float least, float greatest) {
+      const float more = x > y ? x : y;
+      const float above = more > least ? more : least;
+      return above < greatest ? above : greatest;
+    };
+    first = static_cast<int32_t>(held(a.v[0], a.v[2], -1.0F, 64.0F) + 1.0F);
+    minus_last = static_cast<int32_t>(held(a.v[1], a.v[3], static_cast<float>(1 - width), 1.0F));
+  }
   /// Lanes for the samples of pixels side by side: a type with the part of this contract that fill_samples.h uses, and
   /// with at least kSamples lanes.
   template <size_t>

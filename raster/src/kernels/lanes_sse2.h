@@ -63,6 +63,10 @@ struct Sse2Quad {
   static I repeat(const int32_t* p) {
     return {_mm_castps_si128(repeat<kSamples>(reinterpret_cast<const float*>(p)).v)};  // bits that pass through
   }
+  template <size_t kSamples>
+  static I words_of_samples(I colours) {
+    return {_mm_shuffle_epi32(_mm_packus_epi16(colours.v, colours.v), kSamples == 2 ? 0x50 : 0x00)};
+  }
 };
 
 struct Sse2 {
@@ -205,6 +209,26 @@ struct Sse2 {
           out[s + i] = bits(f[i]);
       }
     }
+  }
+  template <size_t kSamples>
+  static I words_of_samples(I colours) {
+    static_assert(kSamples == 8);
+    const __m128i word = _mm_shuffle_epi32(_mm_packus_epi16(colours.l, colours.l), 0);
+    return {word, word};
+  }
+  // With what fill_samples.h needs to find a row's pixels.
+  struct Crossings {
+    __m128 v;
+  };
+  static Crossings load_crossings(const float* p) { return {_mm_loadu_ps(p)}; }
+  static Crossings sum(Crossings a, Crossings b) { return {_mm_add_ps(a.v, b.v)}; }
+  static void pixels_between(Crossings a, int32_t width, int32_t& first, int32_t& minus_last) {
+    const __m128 least = _mm_setr_ps(-1.0F, static_cast<float>(1 - width), 0.0F, 0.0F);
+    const __m128 greater = _mm_max_ps(_mm_max_ps(a.v, _mm_movehl_ps(a.v, a.v)), least);
+    const __m128 held = _mm_min_ps(greater, _mm_setr_ps(64.0F, 1.0F, 0.0F, 0.0F));
+    const int64_t both = _mm_cvtsi128_si64(_mm_cvttps_epi32(_mm_add_ps(held, _mm_setr_ps(1.0F, 0.0F, 0.0F, 0.0F))));
+    first = static_cast<int32_t>(both);
+    minus_last = static_cast<int32_t>(both >> 32);
   }
   template <size_t kSamples>
   static auto sample_lanes() {
