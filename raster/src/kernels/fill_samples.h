@@ -125,9 +125,11 @@ struct FillSamples {
     WI row_colour = colours.corner;
     auto crossing = L::load_crossings(g.crossing[k]);
     const auto crossing_down = L::load_crossings(g.crossing_down[k]);
-    for (int32_t j = 0; j < g.height[k]; ++j) {
+    const auto least_crossing = L::least_crossings(g.width[k]);
+    const int32_t height = g.height[k];
+    for (int32_t j = 0; j < height; ++j) {
       int32_t first, minus_last;
-      L::pixels_between(crossing, g.width[k], first, minus_last);
+      L::pixels_between(crossing, least_crossing, first, minus_last);
       int32_t behind = first + minus_last - 1;  // less than 0 while there are pixels
       if (behind < 0) {
         const WI from_corner = W::set(first | j << 16);

@@ -157,6 +157,16 @@ struct Avx2 {
     }
   }
   template <size_t kSamples>
+  static bool alike(const uint32_t* p, I& pixels) {
+    I samples[kSamples];
+    split<kSamples>(p, samples);
+    I differ = samples[1] ^ samples[0];
+    for (size_t s = 2; s < kSamples; ++s)
+      differ = differ | (samples[s] ^ samples[0]);
+    pixels = samples[0];
+    return signs(equal(differ, set(0))) == 0xFFU;
+  }
+  template <size_t kSamples>
   static I words_of_samples(I colours) {
     // The first four bytes of each half's pixels, and the next four.
     constexpr int kLast = kSamples == 8 ? 0 : 1;
@@ -170,9 +180,11 @@ struct Avx2 {
   };
   static Crossings load_crossings(const float* p) { return {_mm_loadu_ps(p)}; }
   static Crossings sum(Crossings a, Crossings b) { return {_mm_add_ps(a.v, b.v)}; }
-  static void pixels_between(Crossings a, int32_t width, int32_t& first, int32_t& minus_last) {
-    const __m128 least = _mm_setr_ps(-1.0F, static_cast<float>(1 - width), 0.0F, 0.0F);
-    const __m128 greater = _mm_max_ps(_mm_max_ps(a.v, _mm_movehl_ps(a.v, a.v)), least);
+  static Crossings least_crossings(int32_t width) {
+    return {_mm_setr_ps(-1.0F, static_cast<float>(1 - width), 0.0F, 0.0F)};
+  }
+  static void pixels_between(Crossings a, Crossings least, int32_t& first, int32_t& minus_last) {
+    const __m128 greater = _mm_max_ps(_mm_max_ps(a.v, _mm_movehl_ps(a.v, a.v)), least.v);
     const __m128 held = _mm_min_ps(greater, _mm_setr_ps(64.0F, 1.0F, 0.0F, 0.0F));
     const int64_t both = _mm_cvtsi128_si64(_mm_cvttps_epi32(_mm_add_ps(held, _mm_setr_ps(1.0F, 0.0F, 0.0F, 0.0F))));
     first = static_cast<int32_t>(both);

@@ -158,6 +158,16 @@ struct Neon {
     }
   }
   template <size_t kSamples>
+  static bool alike(const uint32_t* p, I& pixels) {
+    I samples[kSamples];
+    split<kSamples>(p, samples);
+    I differ = samples[1] ^ samples[0];
+    for (size_t s = 2; s < kSamples; ++s)
+      differ = differ | (samples[s] ^ samples[0]);
+    pixels = samples[0];
+    return signs(equal(differ, set(0))) == 0xFFU;
+  }
+  template <size_t kSamples>
   static I words_of_samples(I colours) {
     const auto words = [](int32x4_t pixels) { return vreinterpret_s32_u8(vqmovun_s16(vreinterpretq_s16_s32(pixels))); };
     const int32x2_t low = words(colours.l);
@@ -175,10 +185,13 @@ struct Neon {
   };
   static Crossings load_crossings(const float* p) { return {vld1q_f32(p)}; }
   static Crossings sum(Crossings a, Crossings b) { return {vaddq_f32(a.v, b.v)}; }
-  static void pixels_between(Crossings a, int32_t width, int32_t& first, int32_t& minus_last) {
-    const float32x2_t least = vset_lane_f32(static_cast<float>(1 - width), vdup_n_f32(-1.0F), 1);
+  static Crossings least_crossings(int32_t width) {
+    return {vsetq_lane_f32(static_cast<float>(1 - width), vdupq_n_f32(-1.0F), 1)};
+  }
+  static void pixels_between(Crossings a, Crossings least, int32_t& first, int32_t& minus_last) {
     const float32x2_t greatest = vset_lane_f32(1.0F, vdup_n_f32(64.0F), 1);
-    const float32x2_t held = vmin_f32(vmax_f32(vmax_f32(vget_low_f32(a.v), vget_high_f32(a.v)), least), greatest);
+    const float32x2_t held =
+        vmin_f32(vmax_f32(vmax_f32(vget_low_f32(a.v), vget_high_f32(a.v)), vget_low_f32(least.v)), greatest);
     first = static_cast<int32_t>(vget_lane_f32(held, 0) + 1.0F);
     minus_last = static_cast<int32_t>(vget_lane_f32(held, 1));
   }

@@ -314,6 +314,16 @@ struct Scalar {
     for (size_t i = 0; i < kLanes * kSamples; ++i)
       out[i % kSamples].v[i / kSamples] = p[i];
   }
+  /// Whether kSamples numbers of each pixel are the same for all eight pixels; `pixels` are the first of each then.
+  template <size_t kSamples>
+  static bool alike(const uint32_t* p, I& pixels) {
+    bool same = true;
+    for (size_t i = 0; i < kLanes * kSamples; ++i)
+      same = same && p[i] == p[i / kSamples * kSamples];
+    for (size_t i = 0; i < kLanes; ++i)
+      pixels.v[i] = p[i * kSamples];
+    return same;
+  }
   /// Colours of pixels, four 16-bit numbers each, as 0xDDCCBBAA, for each of a pixel's kSamples samples; the numbers
   /// are 0 to 255.
   template <size_t kSamples>
@@ -334,16 +344,18 @@ struct Scalar {
   static Crossings sum(const Crossings& a, const Crossings& b) {
     return {{a.v[0] + b.v[0], a.v[1] + b.v[1], a.v[2] + b.v[2], a.v[3] + b.v[3]}};
   }
-  /// The first pixel behind both left crossings and, negative, the last one before both right ones, of a row from 0 to
-  /// `width` - 1; the first is at most kTileWidth + 1.
-  static void pixels_between(const Crossings& a, int32_t width, int32_t& first, int32_t& minus_last) {
+  /// What they are held above for rows from pixel 0 to `width` - 1.
+  static Crossings least_crossings(int32_t width) { return {{-1.0F, static_cast<float>(1 - width), 0.0F, 0.0F}}; }
+  /// The first pixel of a row behind both left crossings, at most kTileWidth + 1, and, negative, the last one before
+  /// both right ones.
+  static void pixels_between(const Crossings& a, const Crossings& least, int32_t& first, int32_t& minus_last) {
     const auto held = [](float x, float y, float least, float greatest) {
       const float more = x > y ? x : y;
       const float above = more > least ? more : least;
       return above < greatest ? above : greatest;
     };
-    first = static_cast<int32_t>(held(a.v[0], a.v[2], -1.0F, 64.0F) + 1.0F);
-    minus_last = static_cast<int32_t>(held(a.v[1], a.v[3], static_cast<float>(1 - width), 1.0F));
+    first = static_cast<int32_t>(held(a.v[0], a.v[2], least.v[0], 64.0F) + 1.0F);
+    minus_last = static_cast<int32_t>(held(a.v[1], a.v[3], least.v[1], 1.0F));
   }
   /// Lanes for the samples of pixels side by side: a type with the part of this contract that fill_samples.h uses, and
   /// with at least kSamples lanes.

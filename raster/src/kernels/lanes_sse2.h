@@ -211,6 +211,31 @@ struct Sse2 {
     }
   }
   template <size_t kSamples>
+  static bool alike(const uint32_t* p, I& pixels) {
+    if constexpr (kSamples == 4) return alike_quads(p, pixels);
+    I samples[kSamples];
+    split<kSamples>(p, samples);
+    I differ = samples[1] ^ samples[0];
+    for (size_t s = 2; s < kSamples; ++s)
+      differ = differ | (samples[s] ^ samples[0]);
+    pixels = samples[0];
+    return signs(equal(differ, set(0))) == 0xFFU;
+  }
+  static bool alike_quads(const uint32_t* p, I& pixels) {
+    __m128i quad[8];
+    __m128i same = _mm_set1_epi32(-1);
+    for (size_t i = 0; i < 8; ++i) {
+      quad[i] = load4(p + 4 * i);
+      same = _mm_and_si128(same, _mm_cmpeq_epi32(quad[i], _mm_shuffle_epi32(quad[i], 0)));
+    }
+    if (_mm_movemask_epi8(same) != 0xFFFF) return false;
+    const auto first_of = [&quad](size_t i) {
+      return _mm_unpacklo_epi64(_mm_unpacklo_epi32(quad[i], quad[i + 1]), _mm_unpacklo_epi32(quad[i + 2], quad[i + 3]));
+    };
+    pixels = {first_of(0), first_of(4)};
+    return true;
+  }
+  template <size_t kSamples>
   static I words_of_samples(I colours) {
     static_assert(kSamples == 8);
     const __m128i word = _mm_shuffle_epi32(_mm_packus_epi16(colours.l, colours.l), 0);
@@ -222,9 +247,11 @@ struct Sse2 {
   };
   static Crossings load_crossings(const float* p) { return {_mm_loadu_ps(p)}; }
   static Crossings sum(Crossings a, Crossings b) { return {_mm_add_ps(a.v, b.v)}; }
-  static void pixels_between(Crossings a, int32_t width, int32_t& first, int32_t& minus_last) {
-    const __m128 least = _mm_setr_ps(-1.0F, static_cast<float>(1 - width), 0.0F, 0.0F);
-    const __m128 greater = _mm_max_ps(_mm_max_ps(a.v, _mm_movehl_ps(a.v, a.v)), least);
+  static Crossings least_crossings(int32_t width) {
+    return {_mm_setr_ps(-1.0F, static_cast<float>(1 - width), 0.0F, 0.0F)};
+  }
+  static void pixels_between(Crossings a, Crossings least, int32_t& first, int32_t& minus_last) {
+    const __m128 greater = _mm_max_ps(_mm_max_ps(a.v, _mm_movehl_ps(a.v, a.v)), least.v);
     const __m128 held = _mm_min_ps(greater, _mm_setr_ps(64.0F, 1.0F, 0.0F, 0.0F));
     const int64_t both = _mm_cvtsi128_si64(_mm_cvttps_epi32(_mm_add_ps(held, _mm_setr_ps(1.0F, 0.0F, 0.0F, 0.0F))));
     first = static_cast<int32_t>(both);

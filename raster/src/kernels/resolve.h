@@ -148,22 +148,22 @@ struct Resolve {
   }
 
   static I eight(const TileJob& job, const uint32_t* words, int32_t column, int32_t row) {
-    I samples[kSamples];
+    I pixels;
     if constexpr (kSamples == 1) {
-      samples[0] = L::load(words);
+      pixels = L::load(words);
     } else {
-      L::template split<kSamples>(words, samples);
+      if (!L::template alike<kSamples>(words, pixels)) return mixed(job, words, column, row);
     }
+    return L::signs(pixels) != 0U ? keep_promises(job, pixels, job.x + column, job.y + row) : pixels;
+  }
+  // Eight pixels of which some have samples that differ.
+  static I mixed(const TileJob& job, const uint32_t* words, int32_t column, int32_t row) {
+    I samples[kSamples];
+    L::template split<kSamples>(words, samples);
     I open = samples[0];
-    I differ = L::set(0);
-    for (size_t s = 1; s < kSamples; ++s) {
+    for (size_t s = 1; s < kSamples; ++s)
       open = open | samples[s];
-      differ = differ | (samples[s] ^ samples[0]);
-    }
-    const bool alike = kSamples == 1 || L::signs(L::equal(differ, L::set(0))) == 0xFFU;
-    const bool promises = L::signs(open) != 0U;
-    if (alike) return promises ? keep_promises(job, samples[0], job.x + column, job.y + row) : samples[0];
-    if (promises) {
+    if (L::signs(open) != 0U) {
       for (I& sample : samples)
         sample = keep_promises(job, sample, job.x + column, job.y + row);
     }
