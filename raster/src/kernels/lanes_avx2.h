@@ -11,6 +11,7 @@ namespace auslan::raster {
 struct Avx2 {
   static constexpr int kRowsAtOnce = 2;
   static constexpr size_t kLanes = 8;
+  static constexpr size_t kAveragedSamples = 0;
   struct F {
     __m256 v;
     friend F operator+(F a, F b) { return {_mm256_add_ps(a.v, b.v)}; }

@@ -16,6 +16,8 @@ struct Scalar {
   /// How many rows of pixels a loop takes at a time: as many as the registers hold.
   static constexpr int kRowsAtOnce = 1;
   static constexpr size_t kLanes = 8;
+  /// Of how many samples a pixel `average` takes; 0 where there is none, and Resolve has its own for all.
+  static constexpr size_t kAveragedSamples = 0;
   struct F {
     float v[kLanes];
     template <class Operation>
@@ -349,10 +351,10 @@ struct Scalar {
   /// The first pixel of a row behind both left crossings, at most kTileWidth + 1, and, negative, the last one before
   /// both right ones.
   static void pixels_between(const Crossings& a, const Crossings& least, int32_t& first, int32_t& minus_last) {
-    const auto held = [](float x, float y, float least, float greatest) {
+    const auto held = [](float x, float y, float low, float high) {
       const float more = x > y ? x : y;
-      const float above = more > least ? more : least;
-      return above < greatest ? above : greatest;
+      const float above = more > low ? more : low;
+      return above < high ? above : high;
     };
     first = static_cast<int32_t>(held(a.v[0], a.v[2], least.v[0], 64.0F) + 1.0F);
     minus_last = static_cast<int32_t>(held(a.v[1], a.v[3], least.v[1], 1.0F));

@@ -29,7 +29,7 @@ struct Sse2Quad {
   static void store(float* p, F a) { _mm_storeu_ps(p, a.v); }
   static void store(uint32_t* p, I a) { _mm_storeu_si128(reinterpret_cast<__m128i*>(p), a.v); }
   static I select(I mask, I yes, I no) {
-    return {_mm_or_si128(_mm_and_si128(mask.v, yes.v), _mm_andnot_si128(mask.v, no.v))};
+    return {_mm_xor_si128(_mm_and_si128(_mm_xor_si128(yes.v, no.v), mask.v), no.v)};
   }
   static I dot(I a, I b) { return {_mm_madd_epi16(a.v, b.v)}; }
   static I min16(I a, I b) { return {_mm_min_epi16(a.v, b.v)}; }
@@ -72,6 +72,7 @@ struct Sse2Quad {
 struct Sse2 {
   static constexpr int kRowsAtOnce = 1;
   static constexpr size_t kLanes = 8;
+  static constexpr size_t kAveragedSamples = 4;
   struct F {
     __m128 l, h;
     friend F operator+(F a, F b) { return {_mm_add_ps(a.l, b.l), _mm_add_ps(a.h, b.h)}; }
@@ -221,6 +222,24 @@ struct Sse2 {
     pixels = samples[0];
     return signs(equal(differ, set(0))) == 0xFFU;
   }
+  // The root mean square of four samples, as Resolve::average has it, eight pixels.
+  static I average(const uint32_t* p) {
+    const auto levels = [p](size_t pixel) {
+      const __m128i zero = _mm_setzero_si128();
+      const __m128i four = load4(p + 4 * pixel);
+      // Channel by channel the levels of samples 0 and 2, then those of 1 and 3.
+      const __m128i bytes = _mm_unpacklo_epi8(four, _mm_srli_si128(four, 8));
+      const __m128i even = _mm_unpacklo_epi8(bytes, zero);
+      const __m128i odd = _mm_unpackhi_epi8(bytes, zero);
+      const __m128 sum = _mm_cvtepi32_ps(_mm_add_epi32(_mm_madd_epi16(even, even), _mm_madd_epi16(odd, odd)));
+      return _mm_cvttps_epi32(_mm_add_ps(_mm_sqrt_ps(_mm_mul_ps(sum, _mm_set1_ps(0.25F))), _mm_set1_ps(0.5F)));
+    };
+    const auto four_pixels = [levels](size_t first) {
+      return _mm_packus_epi16(_mm_packs_epi32(levels(first), levels(first + 1)),
+                              _mm_packs_epi32(levels(first + 2), levels(first + 3)));
+    };
+    return {four_pixels(0), four_pixels(4)};
+  }
   static bool alike_quads(const uint32_t* p, I& pixels) {
     __m128i quad[8];
     __m128i same = _mm_set1_epi32(-1);
@@ -348,7 +367,7 @@ struct Sse2 {
  private:
   static __m128i load4(const void* p) { return _mm_loadu_si128(static_cast<const __m128i*>(p)); }
   static void store4(void* p, __m128i a) { _mm_storeu_si128(static_cast<__m128i*>(p), a); }
-  static I choose(I mask, I yes, I no) { return (mask & yes) | and_not(mask, no); }
+  static I choose(I mask, I yes, I no) { return ((yes ^ no) & mask) ^ no; }
   static void transpose(__m128 r0, __m128 r1, __m128 r2, __m128 r3, __m128& a, __m128& b, __m128& c, __m128& d) {
     const __m128 t0 = _mm_unpacklo_ps(r0, r1);
     const __m128 t1 = _mm_unpackhi_ps(r0, r1);

@@ -147,17 +147,20 @@ struct Resolve {
     return L::template shift_left<16>(level(red)) | L::template shift_left<8>(level(green)) | level(blue);
   }
 
-  static I eight(const TileJob& job, const uint32_t* words, int32_t column, int32_t row) {
+  static I eight(const TileJob& job, const uint32_t* words, int32_t column, int32_t row, bool promised_any) {
     I pixels;
     if constexpr (kSamples == 1) {
       pixels = L::load(words);
     } else {
-      if (!L::template alike<kSamples>(words, pixels)) return mixed(job, words, column, row);
+      if (!L::template alike<kSamples>(words, pixels)) return mixed(job, words, column, row, promised_any);
     }
-    return L::signs(pixels) != 0U ? keep_promises(job, pixels, job.x + column, job.y + row) : pixels;
+    return promised_any && L::signs(pixels) != 0U ? keep_promises(job, pixels, job.x + column, job.y + row) : pixels;
   }
   // Eight pixels of which some have samples that differ.
-  static I mixed(const TileJob& job, const uint32_t* words, int32_t column, int32_t row) {
+  static I mixed(const TileJob& job, const uint32_t* words, int32_t column, int32_t row, bool promised_any) {
+    if constexpr (L::kAveragedSamples == kSamples) {
+      if (!promised_any) return L::average(words);
+    }
     I samples[kSamples];
     L::template split<kSamples>(words, samples);
     I open = samples[0];
@@ -228,7 +231,8 @@ struct Resolve {
         if (column + 8 > job.width) break;
         const uint32_t word = words[static_cast<size_t>(column) * kSamples];
         if ((word & kGeneralTriangle) == 0U || !all_samples(words + static_cast<size_t>(column) * kSamples, word)) {
-          L::store(pixels + column, eight(job, words + static_cast<size_t>(column) * kSamples, column, row));
+          L::store(pixels + column,
+                   eight(job, words + static_cast<size_t>(column) * kSamples, column, row, promised_any));
           column += 8;
           continue;
         }
@@ -239,7 +243,7 @@ struct Resolve {
       }
       if (column >= job.width) continue;
       uint32_t lanes[8];
-      L::store(lanes, eight(job, words + static_cast<size_t>(column) * kSamples, column, row));
+      L::store(lanes, eight(job, words + static_cast<size_t>(column) * kSamples, column, row, promised_any));
       for (int32_t i = 0; column + i < job.width; ++i)
         pixels[column + i] = lanes[i];
     }
