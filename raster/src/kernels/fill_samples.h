@@ -38,17 +38,41 @@ struct FillSamples {
     static const Counts kCounts;
   };
 
-  // Depth of each row, at the anchor's column.
-  struct Down {
-    alignas(32) float depth[kTileHeight + 8];
+  // The rows that may have samples inside, found ahead of all pixels, so that no branch waits for it.
+  struct Rows {
+    int32_t place[kTileHeight + 1];            ///< the first pixel in the low half, the row in the high one
+    int32_t pixels[kTileHeight + 1];           ///< from the first to the last, negative
+    alignas(32) float depth[kTileHeight + 8];  ///< of each row of the box, at the anchor's column
+    int32_t count = 0;
 
-    Down(const Group& g, size_t k) {
+    Rows(const Group& g, size_t k) {
+      const int32_t width = g.width[k];
+      const int32_t height = g.height[k];
       const F origin = L::spread(&g.depth[k]);
       const F depth_y = L::spread(&g.depth_y[k]);
       F down = L::spread(&g.down[k]) + L::load(Counts::kCounts.number);
-      for (int32_t j = 0; j < g.height[k]; j += 8) {
+      for (int32_t j = 0; j < height; j += 8) {
         L::store(depth + j, origin + down * depth_y);
         down = down + L::set(8.0F);
+      }
+      if (width <= L::kWholeRows) {
+        for (int32_t j = 0; j < height; ++j) {
+          place[j] = j << 16;
+          pixels[j] = -width;
+        }
+        count = height;
+        return;
+      }
+      auto crossing = L::load_crossings(g.crossing[k]);
+      const auto crossing_down = L::load_crossings(g.crossing_down[k]);
+      const auto least = L::least_crossings(width);
+      for (int32_t j = 0; j < height; ++j) {
+        int32_t first, minus_last;
+        L::pixels_between(crossing, least, first, minus_last);
+        place[count] = first | j << 16;
+        pixels[count] = first + minus_last - 1;
+        count += static_cast<int32_t>(static_cast<uint32_t>(pixels[count]) >> 31U);
+        crossing = L::sum(crossing, crossing_down);
       }
     }
   };
@@ -106,7 +130,7 @@ struct FillSamples {
   };
 
   [[gnu::noinline]] static void run(const TileBuffers& buffers, const Group& g, size_t k) {
-    const Down down(g, k);
+    const Rows rows(g, k);
     const Across across(g, k);
     WI ab[3], start[3], step[3];
     for (size_t e = 0; e < 3; ++e) {
@@ -120,43 +144,33 @@ struct FillSamples {
     const WI colour_step = W::multiply16(colours.right, W::set(kPixels | kPixels << 16));
 
     const size_t place = static_cast<size_t>(g.row[k]) * kRowWords + static_cast<size_t>(g.column[k]) * kSamples;
-    float* row_depths = buffers.depth + place;
-    uint32_t* row_words = buffers.colour + place;
-    WI row_colour = colours.corner;
-    auto crossing = L::load_crossings(g.crossing[k]);
-    const auto crossing_down = L::load_crossings(g.crossing_down[k]);
-    const auto least_crossing = L::least_crossings(g.width[k]);
-    const int32_t height = g.height[k];
-    for (int32_t j = 0; j < height; ++j) {
-      int32_t first, minus_last;
-      L::pixels_between(crossing, least_crossing, first, minus_last);
-      int32_t behind = first + minus_last - 1;  // less than 0 while there are pixels
-      if (behind < 0) {
-        const WI from_corner = W::set(first | j << 16);
-        WI edge[3];
+    for (int32_t n = 0; n < rows.count; ++n) {
+      const int32_t j = rows.place[n] >> 16;
+      const int32_t first = rows.place[n] & 0xFFFF;
+      const WI from_corner = W::spread(&rows.place[n]);
+      WI edge[3];
+      for (size_t e = 0; e < 3; ++e)
+        edge[e] = start[e] + W::dot(ab[e], from_corner);
+      const WF row_depth = W::spread(&rows.depth[j]);
+      WI colour = W::add16(W::add16(colours.corner, W::multiply16(colours.down, W::set(j * 0x10001))),
+                           W::multiply16(colours.right, W::set(first * 0x10001)));
+      const float* pixel_depths = across.depth + static_cast<size_t>(first) * kSamples;
+      const size_t here = place + static_cast<size_t>(j) * kRowWords + static_cast<size_t>(first) * kSamples;
+      float* depths = buffers.depth + here;
+      uint32_t* words = buffers.colour + here;
+      int32_t left = rows.pixels[n];
+      for (size_t i = 0;; i += W::kLanes) {
+        const WF depth = (row_depth + W::load(pixel_depths + i)) + sample_depth;
+        WF stored = W::load(depths + i);
+        const WI visible = W::keep_greater(edge[0] | edge[1] | edge[2], depth, stored);
+        W::store(depths + i, stored);
+        W::store(words + i, W::select(visible, colours.words(colour), W::load(words + i)));
+        left += kPixels;
+        if (left >= 0) break;
         for (size_t e = 0; e < 3; ++e)
-          edge[e] = start[e] + W::dot(ab[e], from_corner);
-        const WF row_depth = W::spread(&down.depth[j]);
-        WI colour = W::add16(row_colour, W::multiply16(colours.right, W::set(first | first << 16)));
-        size_t i = static_cast<size_t>(first) * kSamples;
-        for (;;) {
-          const WF depth = (row_depth + W::load(across.depth + i)) + sample_depth;
-          WF stored = W::load(row_depths + i);
-          const WI visible = W::keep_greater(edge[0] | edge[1] | edge[2], depth, stored);
-          W::store(row_depths + i, stored);
-          W::store(row_words + i, W::select(visible, colours.words(colour), W::load(row_words + i)));
-          behind += kPixels;
-          if (behind >= 0) break;
-          for (size_t e = 0; e < 3; ++e)
-            edge[e] = edge[e] + step[e];
-          colour = W::add16(colour, colour_step);
-          i += W::kLanes;
-        }
+          edge[e] = edge[e] + step[e];
+        colour = W::add16(colour, colour_step);
       }
-      crossing = L::sum(crossing, crossing_down);
-      row_colour = W::add16(row_colour, colours.down);
-      row_depths += kRowWords;
-      row_words += kRowWords;
     }
   }
 };

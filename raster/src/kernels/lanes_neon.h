@@ -11,6 +11,7 @@ namespace auslan::raster {
 struct Neon {
   static constexpr int kRowsAtOnce = 2;
   static constexpr size_t kLanes = 8;
+  static constexpr int32_t kWholeRows = 8;
   static constexpr size_t kAveragedSamples = 0;
   struct F {
     float32x4_t l, h;

@@ -17,6 +17,9 @@ struct Scalar {
   static constexpr int kRowsAtOnce = 1;
   static constexpr size_t kLanes = 8;
   /// Of how many samples a pixel `average` takes; 0 where there is none, and Resolve has its own for all.
+  /// Triangles up to so many pixels wide are taken in whole rows where a pixel has several samples: as many as cost
+  /// less than to find the pixels inside.
+  static constexpr int32_t kWholeRows = 0;
   static constexpr size_t kAveragedSamples = 0;
   struct F {
     float v[kLanes];

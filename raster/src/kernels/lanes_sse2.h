@@ -72,6 +72,7 @@ struct Sse2Quad {
 struct Sse2 {
   static constexpr int kRowsAtOnce = 1;
   static constexpr size_t kLanes = 8;
+  static constexpr int32_t kWholeRows = 0;
   static constexpr size_t kAveragedSamples = 4;
   struct F {
     __m128 l, h;
