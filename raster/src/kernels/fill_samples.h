@@ -55,14 +55,6 @@ struct FillSamples {
         L::store(depth + j, origin + down * depth_y);
         down = down + L::set(8.0F);
       }
-      if (width <= L::kWholeRows) {
-        for (int32_t j = 0; j < height; ++j) {
-          place[j] = j << 16;
-          pixels[j] = -width;
-        }
-        count = height;
-        return;
-      }
       auto crossing = L::load_crossings(g.crossing[k]);
       const auto crossing_down = L::load_crossings(g.crossing_down[k]);
       const auto least = L::least_crossings(width);
@@ -144,20 +136,22 @@ struct FillSamples {
     const WI colour_step = W::multiply16(colours.right, W::set(kPixels | kPixels << 16));
 
     const size_t place = static_cast<size_t>(g.row[k]) * kRowWords + static_cast<size_t>(g.column[k]) * kSamples;
+    float* const corner_depths = buffers.depth + place;
+    uint32_t* const corner_words = buffers.colour + place;
     for (int32_t n = 0; n < rows.count; ++n) {
-      const int32_t j = rows.place[n] >> 16;
-      const int32_t first = rows.place[n] & 0xFFFF;
+      const size_t j = static_cast<uint32_t>(rows.place[n]) >> 16U;
+      const size_t first = static_cast<uint32_t>(rows.place[n]) & 0xFFFFU;
       const WI from_corner = W::spread(&rows.place[n]);
       WI edge[3];
       for (size_t e = 0; e < 3; ++e)
         edge[e] = start[e] + W::dot(ab[e], from_corner);
       const WF row_depth = W::spread(&rows.depth[j]);
-      WI colour = W::add16(W::add16(colours.corner, W::multiply16(colours.down, W::set(j * 0x10001))),
-                           W::multiply16(colours.right, W::set(first * 0x10001)));
-      const float* pixel_depths = across.depth + static_cast<size_t>(first) * kSamples;
-      const size_t here = place + static_cast<size_t>(j) * kRowWords + static_cast<size_t>(first) * kSamples;
-      float* depths = buffers.depth + here;
-      uint32_t* words = buffers.colour + here;
+      WI colour = W::add16(W::add16(colours.corner, W::multiply16(colours.down, W::high_halves(from_corner))),
+                           W::multiply16(colours.right, W::low_halves(from_corner)));
+      const float* pixel_depths = across.depth + first * kSamples;
+      const size_t here = j * kRowWords + first * kSamples;
+      float* depths = corner_depths + here;
+      uint32_t* words = corner_words + here;
       int32_t left = rows.pixels[n];
       for (size_t i = 0;; i += W::kLanes) {
         const WF depth = (row_depth + W::load(pixel_depths + i)) + sample_depth;

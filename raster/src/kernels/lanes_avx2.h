@@ -11,7 +11,6 @@ namespace auslan::raster {
 struct Avx2 {
   static constexpr int kRowsAtOnce = 2;
   static constexpr size_t kLanes = 8;
-  static constexpr int32_t kWholeRows = 8;
   static constexpr size_t kAveragedSamples = 0;
   struct F {
     __m256 v;
@@ -87,6 +86,8 @@ struct Avx2 {
   static I max16(I a, I b) { return {_mm256_max_epi16(a.v, b.v)}; }
   static I add16(I a, I b) { return {_mm256_add_epi16(a.v, b.v)}; }
   static I multiply16(I a, I b) { return {_mm256_mullo_epi16(a.v, b.v)}; }
+  static I low_halves(I a) { return {_mm256_shufflehi_epi16(_mm256_shufflelo_epi16(a.v, 0xA0), 0xA0)}; }
+  static I high_halves(I a) { return {_mm256_shufflehi_epi16(_mm256_shufflelo_epi16(a.v, 0xF5), 0xF5)}; }
   template <int kBits>
   static I shift_right16(I a) {
     return {_mm256_srli_epi16(a.v, kBits)};

@@ -11,7 +11,6 @@ namespace auslan::raster {
 struct Neon {
   static constexpr int kRowsAtOnce = 2;
   static constexpr size_t kLanes = 8;
-  static constexpr int32_t kWholeRows = 8;
   static constexpr size_t kAveragedSamples = 0;
   struct F {
     float32x4_t l, h;
@@ -94,6 +93,20 @@ struct Neon {
   static I min16(I a, I b) { return {halves_min(a.l, b.l), halves_min(a.h, b.h)}; }
   static I max16(I a, I b) { return {halves_max(a.l, b.l), halves_max(a.h, b.h)}; }
   static I add16(I a, I b) { return {halves_add(a.l, b.l), halves_add(a.h, b.h)}; }
+  static I low_halves(I a) {
+    const auto both = [](int32x4_t x) {
+      const int16x8_t halves = vreinterpretq_s16_s32(x);
+      return vreinterpretq_s32_s16(vtrn1q_s16(halves, halves));
+    };
+    return {both(a.l), both(a.h)};
+  }
+  static I high_halves(I a) {
+    const auto both = [](int32x4_t x) {
+      const int16x8_t halves = vreinterpretq_s16_s32(x);
+      return vreinterpretq_s32_s16(vtrn2q_s16(halves, halves));
+    };
+    return {both(a.l), both(a.h)};
+  }
   static I multiply16(I a, I b) { return {halves_multiply(a.l, b.l), halves_multiply(a.h, b.h)}; }
   template <int kBits>
   static I shift_right16(I a) {

@@ -17,9 +17,6 @@ struct Scalar {
   static constexpr int kRowsAtOnce = 1;
   static constexpr size_t kLanes = 8;
   /// Of how many samples a pixel `average` takes; 0 where there is none, and Resolve has its own for all.
-  /// Triangles up to so many pixels wide are taken in whole rows where a pixel has several samples: as many as cost
-  /// less than to find the pixels inside.
-  static constexpr int32_t kWholeRows = 0;
   static constexpr size_t kAveragedSamples = 0;
   struct F {
     float v[kLanes];
@@ -247,6 +244,13 @@ struct Scalar {
   }
   static I multiply16(const I& a, const I& b) {
     return I::map(a, b, [](uint32_t x, uint32_t y) { return join(x * y, (x >> 16U) * (y >> 16U)); });
+  }
+  /// One half in the place of both.
+  static I low_halves(const I& a) {
+    return I::map(a, a, [](uint32_t x, uint32_t) { return join(x, x); });
+  }
+  static I high_halves(const I& a) {
+    return I::map(a, a, [](uint32_t x, uint32_t) { return join(x >> 16U, x >> 16U); });
   }
   /// Both halves as unsigned numbers.
   template <int kBits>

@@ -36,6 +36,8 @@ struct Sse2Quad {
   static I max16(I a, I b) { return {_mm_max_epi16(a.v, b.v)}; }
   static I add16(I a, I b) { return {_mm_add_epi16(a.v, b.v)}; }
   static I multiply16(I a, I b) { return {_mm_mullo_epi16(a.v, b.v)}; }
+  static I low_halves(I a) { return {_mm_shufflehi_epi16(_mm_shufflelo_epi16(a.v, 0xA0), 0xA0)}; }
+  static I high_halves(I a) { return {_mm_shufflehi_epi16(_mm_shufflelo_epi16(a.v, 0xF5), 0xF5)}; }
   template <int kBits>
   static I shift_left(I a) {
     return {_mm_slli_epi32(a.v, kBits)};
@@ -72,7 +74,6 @@ struct Sse2Quad {
 struct Sse2 {
   static constexpr int kRowsAtOnce = 1;
   static constexpr size_t kLanes = 8;
-  static constexpr int32_t kWholeRows = 0;
   static constexpr size_t kAveragedSamples = 4;
   struct F {
     __m128 l, h;
@@ -150,6 +151,8 @@ struct Sse2 {
   static I max16(I a, I b) { return {_mm_max_epi16(a.l, b.l), _mm_max_epi16(a.h, b.h)}; }
   static I add16(I a, I b) { return {_mm_add_epi16(a.l, b.l), _mm_add_epi16(a.h, b.h)}; }
   static I multiply16(I a, I b) { return {_mm_mullo_epi16(a.l, b.l), _mm_mullo_epi16(a.h, b.h)}; }
+  static I low_halves(I a) { return {Sse2Quad::low_halves({a.l}).v, Sse2Quad::low_halves({a.h}).v}; }
+  static I high_halves(I a) { return {Sse2Quad::high_halves({a.l}).v, Sse2Quad::high_halves({a.h}).v}; }
   template <int kBits>
   static I shift_right16(I a) {
     return {_mm_srli_epi16(a.l, kBits), _mm_srli_epi16(a.h, kBits)};
