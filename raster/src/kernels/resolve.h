@@ -173,16 +173,16 @@ struct Resolve {
     return average(samples);
   }
 
-  // A tile without promises, with one sample.
-  static void copy(const TileJob& job) {
+  // A tile without promises.
+  static void unpromised(const TileJob& job) {
     uint32_t* pixels = job.pixels;
     const uint32_t* words = job.buffers.colour;
     for (int32_t row = 0; row < job.height; ++row, pixels += job.pixel_stride, words += kRowWords) {
+      const auto samples_at = [words](int32_t column) { return words + static_cast<size_t>(column) * kSamples; };
       int32_t column = 0;
       for (; column + 8 <= job.width; column += 8)
-        L::store(pixels + column, L::load(words + column));
-      for (; column < job.width; ++column)
-        pixels[column] = words[column];
+        L::store(pixels + column, eight(job, samples_at(column), column, row, false));
+      if (column < job.width) store_pixels(job, pixels, column, eight(job, samples_at(column), column, row, false));
     }
   }
 
@@ -217,7 +217,7 @@ struct Resolve {
 
   /// `promised_any`: whether there may be promises or owners.
   static void run(const TileJob& job, bool promised_any) {
-    if (kSamples == 1 && !promised_any) return copy(job);
+    if (!promised_any) return unpromised(job);
     uint32_t* pixels = job.pixels;
     const uint32_t* words = job.buffers.colour;
     for (int32_t row = 0; row < job.height; ++row, pixels += job.pixel_stride, words += kRowWords) {

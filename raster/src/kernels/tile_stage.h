@@ -28,9 +28,11 @@ struct TileStage {
     uint32_t* colour = job.buffers.colour;
     float* depth = job.buffers.depth;
     for (int32_t row = 0; row < job.height; ++row, colour += kRowWords, depth += kRowWords) {
-      for (size_t i = 0; i < kTileWidth * kSamples; i += 8) {
-        L::store(colour + i, background);
-        L::store(depth + i, nothing);
+      for (size_t i = 0; i < kTileWidth * kSamples; i += 32) {
+        for (size_t k = i; k < i + 32; k += 8) {
+          L::store(colour + k, background);
+          L::store(depth + k, nothing);
+        }
       }
     }
     set_cells(job.buffers.cell_least, 0.0F);
