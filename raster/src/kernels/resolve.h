@@ -173,7 +173,20 @@ struct Resolve {
     return average(samples);
   }
 
-  // A tile without promises.
+  // A tile without promises, with one sample.
+  static void copy(const TileJob& job) {
+    uint32_t* pixels = job.pixels;
+    const uint32_t* words = job.buffers.colour;
+    for (int32_t row = 0; row < job.height; ++row, pixels += job.pixel_stride, words += kRowWords) {
+      int32_t column = 0;
+      for (; column + 8 <= job.width; column += 8)
+        L::store(pixels + column, L::load(words + column));
+      for (; column < job.width; ++column)
+        pixels[column] = words[column];
+    }
+  }
+
+  // With several.
   static void unpromised(const TileJob& job) {
     uint32_t* pixels = job.pixels;
     const uint32_t* words = job.buffers.colour;
@@ -217,7 +230,7 @@ struct Resolve {
 
   /// `promised_any`: whether there may be promises or owners.
   static void run(const TileJob& job, bool promised_any) {
-    if (!promised_any) return unpromised(job);
+    if (!promised_any) return kSamples == 1 ? copy(job) : unpromised(job);
     uint32_t* pixels = job.pixels;
     const uint32_t* words = job.buffers.colour;
     for (int32_t row = 0; row < job.height; ++row, pixels += job.pixel_stride, words += kRowWords) {
