@@ -10,7 +10,7 @@ find_package(nlohmann_json REQUIRED)
 
 set(auslan_bench_scenes "${PROJECT_BINARY_DIR}/bench_scenes")
 add_library(auslan_bench_scene STATIC
-  bench/frame_series.cpp bench/scene.cpp bench/synthetic_scenes.cpp)
+  bench/frame_series.cpp bench/scene.cpp bench/synthetic_scenes.cpp bench/workload.cpp)
 target_link_libraries(auslan_bench_scene PUBLIC auslan::standard auslan::raster)
 target_include_directories(auslan_bench_scene PUBLIC bench)
 target_compile_definitions(auslan_bench_scene PRIVATE AUSLANJAM_BENCH_SCENES="${auslan_bench_scenes}")

@@ -390,7 +390,7 @@ void Frame::fill_tile(uint32_t tile, int worker, std::span<uint32_t> pixels) {
   job.values = vertices_.values.data();
   job.general = general_.data();
   job.textured = textured_.data();
-  const size_t margin = static_cast<size_t>(kTileStride) * static_cast<size_t>(samples_) + kTileMargin;
+  const size_t margin = (size_t{kTileStride} + kTileMargin) * static_cast<size_t>(samples_);
   const bool keeps = !buffers.kept_colour.empty();
   job.buffers = TileBuffers{&buffers.colour[margin],
                             &buffers.depth[margin],

@@ -22,6 +22,9 @@ namespace {
 
 constexpr uint64_t kCoarse = 5000;
 constexpr uint64_t kMiddle = 22000;
+// The signer's size in the picture is less than the stage's, so that at 1280x720 the middle level has the 185 thousand
+// fragments of the workload on which this project's figures were set; a test counts them.
+constexpr float kSmaller = 0.793F;
 
 template <typename T>
 std::vector<T> picked(const std::vector<T>& values, const std::vector<uint32_t>& wanted) {
@@ -116,6 +119,8 @@ Scene signer_scene() {
   const Figure figure = read_figure(std::string(AUSLANJAM_BINARY_DIR) + "/share/auslanjam/signer_high.figure").value();
   Scene scene;
   scene.camera = stage_camera(figure, CameraName::kFront, 1.0F);
+  scene.camera.clip_from_view[0][0] *= kSmaller;
+  scene.camera.clip_from_view[1][1] *= kSmaller;
   scene.lighting = stage_lighting();
   scene.background = StageOptions().background;
   // Both hands before the body, as they are for most of a sentence.

@@ -3,6 +3,7 @@
 #include "measurement.h"
 #include "picture_difference.h"
 #include "scene.h"
+#include "workload.h"
 
 #include <algorithm>
 #include <cmath>
@@ -82,6 +83,39 @@ TEST(BenchScenes, SignerHasThreeLevelsOfDetail) {
         ASSERT_LT(index, mesh.positions.size());
     }
   }
+}
+
+TEST(BenchScenes, SignerIsTheWorkloadThatTheFiguresWereSetOn) {
+  // There 22 thousand triangles at 1280x720 were 10,600 front-facing ones, 9,000 of them over a pixel's centre, with
+  // 185,000 fragments. This signer holds both arms before the body: an eighth more faces the eye, in more layers.
+  const Workload middle = workload_of(load_scene("signer_22k"), 1280, 720);
+  EXPECT_NEAR(static_cast<double>(middle.fragments), 185e3, 0.05 * 185e3);
+  EXPECT_NEAR(static_cast<double>(middle.front_facing), 10.6e3, 0.15 * 10.6e3);
+  EXPECT_NEAR(static_cast<double>(middle.covering), 9.0e3, 0.15 * 9.0e3);
+  EXPECT_NEAR(middle.overdraw(), 1.35, 0.3);
+  // The same figure in the other levels: as many fragments, other triangles.
+  for (const char* name : {"signer_5k", "signer_90k"})
+    EXPECT_NEAR(static_cast<double>(workload_of(load_scene(name), 1280, 720).fragments), 185e3, 0.05 * 185e3) << name;
+}
+
+TEST(BenchScenes, WorkloadOfASquareIsItsPixels) {
+  // Half of clip space each way on 64 x 64 pixels: 32 x 32 pixels in two triangles, facing the eye.
+  Scene square;
+  square.perspective = false;
+  SceneMesh mesh;
+  mesh.positions = {{-0.5F, -0.5F, 0.5F}, {0.5F, -0.5F, 0.5F}, {0.5F, 0.5F, 0.5F}, {-0.5F, 0.5F, 0.5F}};
+  mesh.indices = {0, 1, 2, 0, 2, 3, 0, 2, 1};
+  square.meshes.push_back(mesh);
+  Workload work = workload_of(square, 64, 64);
+  EXPECT_EQ(work.front_facing, 2U);
+  EXPECT_EQ(work.covering, 2U);
+  EXPECT_EQ(work.fragments, 32U * 32U);
+  EXPECT_EQ(work.pixels, 32U * 32U);
+  // Twice the same: twice the fragments in the same pixels.
+  square.meshes.push_back(mesh);
+  work = workload_of(square, 64, 64);
+  EXPECT_EQ(work.fragments, 2 * 32U * 32U);
+  EXPECT_EQ(work.overdraw(), 2.0);
 }
 
 TEST(BenchMeasurement, EnginesTakeTurnsAndMediansLeaveTheWarmingFrameOut) {

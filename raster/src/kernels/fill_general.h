@@ -80,15 +80,46 @@ struct FillGeneral {
     return L::set(centre_from(pixel, corner)) + lane_steps(static_cast<float>(kSubPixels));
   }
 
-  // Depth at a sample is its row's number of these plus its column's.
-  static void store_row_depths(const Plane& plane, F dy, float (&out)[kSamples][kCellSize]) {
-    for (size_t s = 0; s < kSamples; ++s) {
-      L::store(out[s], L::set(plane.origin) + (dy + L::set(static_cast<float>(Pattern::kY[s]))) * L::set(plane.per_y));
+  // Eight pixels side by side have kSamples vectors of samples. Of each lane: its pixel, in the first vector and
+  // altogether, and where its sample lies, in sub-pixels.
+  struct alignas(32) SampleLanes {
+    float pixel[kSamples][8] = {};
+    uint32_t number[kSamples][8] = {};
+    float x[8] = {}, y[8] = {};
+    static constexpr SampleLanes make() {
+      SampleLanes t;
+      for (size_t i = 0; i < 8 * kSamples; ++i) {
+        t.number[i / 8][i % 8] = static_cast<uint32_t>(i / kSamples);
+        t.pixel[i / 8][i % 8] = static_cast<float>(i / kSamples * kSubPixels);
+      }
+      for (size_t i = 0; i < 8; ++i) {
+        t.x[i] = static_cast<float>(Pattern::kX[i % kSamples]);
+        t.y[i] = static_cast<float>(Pattern::kY[i % kSamples]);
+      }
+      return t;
     }
-  }
-  static F depth_across(const Plane& plane, F dx, size_t sample) {
-    return (dx + L::set(static_cast<float>(Pattern::kX[sample]))) * L::set(plane.per_x);
-  }
+    static const SampleLanes kLanes;
+  };
+
+  // Depth at a sample is its row's number of these plus its column's.
+  struct Depths {
+    alignas(32) float row[kCellSize][8];
+    F across[kSamples];
+    Depths(const TileJob& job, const GeneralTriangle& t, int32_t first_row) {
+      const F origin = L::set(t.depth.origin);
+      const F per_y = L::set(t.depth.per_y);
+      for (int32_t j = 0; j < kCellSize; ++j) {
+        const F dy = L::set(centre_from(job.y + first_row + j, t.y[0]));
+        L::store(row[j], origin + (dy + L::load(SampleLanes::kLanes.y)) * per_y);
+      }
+    }
+    void at_column(const TileJob& job, const GeneralTriangle& t, int32_t column) {
+      const F dx = L::set(centre_from(job.x + column, t.x[0]));
+      for (size_t v = 0; v < kSamples; ++v)
+        across[v] =
+            ((dx + L::load(SampleLanes::kLanes.pixel[v])) + L::load(SampleLanes::kLanes.x)) * L::set(t.depth.per_x);
+    }
+  };
 
   static float held(float value, const Plane& plane) {
     const float above = value > plane.least ? value : plane.least;
@@ -229,12 +260,12 @@ struct FillGeneral {
     return L::equal(L::set(static_cast<int32_t>(bits)) & bit, bit);
   }
 
-  static I multiples(int32_t step) {
-    // step * lane by additions: 32-bit products are slow or missing.
+  static I multiples(int32_t step) { return multiples(step, lane_numbers()); }
+  static I multiples(int32_t step, I number) {
+    // step * number below 8 by additions: 32-bit products are slow or missing.
     const I one = L::set(step);
     const I two = one + one;
     const I four = two + two;
-    const I number = lane_numbers();
     const I zero = L::set(0);
     const I bit0 = L::sign_mask(L::template shift_left<31>(number));
     const I bit1 = L::sign_mask(L::template shift_left<30>(number));
@@ -286,50 +317,52 @@ struct FillGeneral {
     const Plane plane = t.depth;
     const int32_t column = cell * kCellSize;
     const int32_t first_row = cell_row * kCellSize;
-    const F dx = eight_from(job.x + column, t.x[0]);
-    const F dy = eight_from(job.y + first_row, t.y[0]);
-    F across[kSamples];
-    alignas(32) float row_depths[kSamples][kCellSize];
-    for (size_t s = 0; s < kSamples; ++s)
-      across[s] = depth_across(plane, dx, s);
-    store_row_depths(plane, dy, row_depths);
+    Depths depths(job, t, first_row);
+    depths.at_column(job, t, column);
     const F least_before = L::spread(job.buffers.cell_least + cell_row * kCellsAcross + cell);
-    const CellColours colours(t, job.x + column, job.y + first_row, dx, dy);
-    I edge_row[3], edge_step[3];
+    const CellColours colours(t, job.x + column, job.y + first_row, eight_from(job.x + column, t.x[0]),
+                              eight_from(job.y + first_row, t.y[0]));
+    I edge[3][kSamples], edge_down[3], edge_step[3];
     for (size_t e = 0; e < 3; ++e) {
-      edge_row[e] = multiples(edges[e].a) + L::set(edges[e].a * column + edges[e].b * first_row);
+      alignas(32) int32_t start[8];
+      for (size_t i = 0; i < 8; ++i)
+        start[i] = edges[e].start[i % kSamples];
+      const I corner = L::load(start) + L::set(edges[e].a * column + edges[e].b * first_row);
+      for (size_t v = 0; v < kSamples; ++v)
+        edge[e][v] = multiples(edges[e].a, L::load(SampleLanes::kLanes.number[v])) + corner;
+      edge_down[e] = L::set(0);
       edge_step[e] = L::set(edges[e].b);
     }
     const F least = L::set(plane.least);
     const F greatest = L::set(plane.greatest);
-    const size_t corner = static_cast<size_t>(first_row) * kRowWords + static_cast<size_t>(column);
+    const size_t corner = static_cast<size_t>(first_row) * kRowWords + static_cast<size_t>(column) * kSamples;
     float* depth = job.buffers.depth + corner;
     uint32_t* colour = job.buffers.colour + corner;
     F lowest = L::set(2.0F);
     for (size_t j = 0; j < kCellSize; ++j, depth += kRowWords, colour += kRowWords) {
-      I shade{};
+      I shade[kSamples]{};
       bool shaded = false;
-      for (size_t s = 0; s < kSamples; ++s) {
-        const I outside = (edge_row[0] + L::set(edges[0].start[s])) | (edge_row[1] + L::set(edges[1].start[s])) |
-                          (edge_row[2] + L::set(edges[2].start[s]));
+      const F row_depth = L::load(depths.row[j]);
+      for (size_t v = 0; v < kSamples; ++v) {
+        const I outside = (edge[0][v] + edge_down[0]) | (edge[1][v] + edge_down[1]) | (edge[2][v] + edge_down[2]);
         if (L::signs(outside) == 0xFFU) {
           lowest = L::min(lowest, least_before);
           continue;
         }
-        const F z = L::min(L::max(L::spread(&row_depths[s][j]) + across[s], least), greatest);
-        const F stored = L::load(depth + s * kTileStride);
+        const F z = L::min(L::max(row_depth + depths.across[v], least), greatest);
+        const F stored = L::load(depth + 8 * v);
         const I visible = L::and_not(L::sign_mask(outside), L::greater(z, stored));
         const F kept = L::select(visible, z, stored);
         lowest = L::min(lowest, kept);
         if (L::signs(visible) == 0U) continue;
-        if (!shaded) shade = colours.at(j);
+        if (!shaded) Resolve<L, kSamples>::expand(colours.at(j), shade);
         shaded = true;
-        L::store(depth + s * kTileStride, kept);
-        uint32_t* words = colour + s * kTileStride;
-        L::store(words, L::select(visible, shade, L::load(words)));
+        L::store(depth + 8 * v, kept);
+        uint32_t* words = colour + 8 * v;
+        L::store(words, L::select(visible, shade[v], L::load(words)));
       }
       for (size_t e = 0; e < 3; ++e)
-        edge_row[e] = edge_row[e] + edge_step[e];
+        edge_down[e] = edge_down[e] + edge_step[e];
     }
     return least_of(lowest);
   }
@@ -337,22 +370,20 @@ struct FillGeneral {
   // Cells of one row that are one triangle's altogether: neither what they hold nor the plane's range needs a look.
   static void write_cells(const TileJob& job, const GeneralTriangle& t, uint32_t cells, int32_t cell_row,
                           uint32_t promise) {
-    const Plane plane = t.depth;
     const int32_t first_row = cell_row * kCellSize;
-    alignas(32) float row_depths[kSamples][kCellSize];
-    store_row_depths(plane, eight_from(job.y + first_row, t.y[0]), row_depths);
+    Depths depths(job, t, first_row);
     const I word = L::set(static_cast<int32_t>(promise));
     for (; cells != 0U; cells &= cells - 1U) {
       const int32_t column = __builtin_ctz(cells) * kCellSize;
-      const F dx = eight_from(job.x + column, t.x[0]);
-      const size_t corner = static_cast<size_t>(first_row) * kRowWords + static_cast<size_t>(column);
-      for (size_t s = 0; s < kSamples; ++s) {
-        const F across = depth_across(plane, dx, s);
-        float* depth = job.buffers.depth + corner + s * kTileStride;
-        uint32_t* colour = job.buffers.colour + corner + s * kTileStride;
-        for (size_t j = 0; j < kCellSize; ++j) {
-          L::store(depth + j * kRowWords, L::spread(&row_depths[s][j]) + across);
-          L::store(colour + j * kRowWords, word);
+      depths.at_column(job, t, column);
+      const size_t corner = static_cast<size_t>(first_row) * kRowWords + static_cast<size_t>(column) * kSamples;
+      float* depth = job.buffers.depth + corner;
+      uint32_t* colour = job.buffers.colour + corner;
+      for (size_t j = 0; j < kCellSize; ++j, depth += kRowWords, colour += kRowWords) {
+        const F row_depth = L::load(depths.row[j]);
+        for (size_t v = 0; v < kSamples; ++v) {
+          L::store(depth + 8 * v, row_depth + depths.across[v]);
+          L::store(colour + 8 * v, word);
         }
       }
     }
@@ -366,36 +397,33 @@ struct FillGeneral {
     const Plane plane = t.depth;
     const int32_t column = cell * kCellSize;
     const int32_t first_row = cell_row * kCellSize;
-    const F dx = eight_from(job.x + column, t.x[0]);
-    const F dy = eight_from(job.y + first_row, t.y[0]);
-    F across[kSamples];
-    alignas(32) float row_depths[kSamples][kCellSize];
-    for (size_t s = 0; s < kSamples; ++s)
-      across[s] = depth_across(plane, dx, s);
-    store_row_depths(plane, dy, row_depths);
+    Depths depths(job, t, first_row);
+    depths.at_column(job, t, column);
     const F least = L::set(plane.least);
     const F greatest = L::set(plane.greatest);
     const I word = L::set(static_cast<int32_t>(promise));
-    const size_t corner = static_cast<size_t>(first_row) * kRowWords + static_cast<size_t>(column);
+    const size_t corner = static_cast<size_t>(first_row) * kRowWords + static_cast<size_t>(column) * kSamples;
     float* depth = job.buffers.depth + corner;
     uint32_t* colour = job.buffers.colour + corner;
     F lowest = L::set(2.0F);
-    for (size_t j = 0; j < kCellSize; ++j) {
-      for (size_t s = 0; s < kSamples; ++s) {
-        F z = L::spread(&row_depths[s][j]) + across[s];
+    for (size_t j = 0; j < kCellSize; ++j, depth += kRowWords, colour += kRowWords) {
+      const F row_depth = L::load(depths.row[j]);
+      for (size_t v = 0; v < kSamples; ++v) {
+        F z = row_depth + depths.across[v];
         if constexpr (kHeld) z = L::min(L::max(z, least), greatest);
-        const F stored = L::load(depth);
+        const F stored = L::load(depth + 8 * v);
         const I visible = L::greater(z, stored);
         const F kept = L::max(z, stored);
-        L::store(depth, kept);
-        L::store(colour, L::select(visible, word, L::load(colour)));
+        L::store(depth + 8 * v, kept);
+        L::store(colour + 8 * v, L::select(visible, word, L::load(colour + 8 * v)));
         lowest = L::min(lowest, kept);
-        depth += kTileStride;
-        colour += kTileStride;
       }
     }
     return least_of(lowest);
   }
 };
+
+template <class L, size_t kSamples>
+inline constexpr typename FillGeneral<L, kSamples>::SampleLanes FillGeneral<L, kSamples>::SampleLanes::kLanes = make();
 
 }  // namespace auslan::raster

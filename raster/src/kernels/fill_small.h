@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pixels of a small triangle, eight at a time from the corner of its box on: in blocks of 4 x 2 where it is at most
-// four pixels wide, else in rows of 8 that stand below each other in columns.
+// Pixels of a small triangle, where each has one sample: eight at a time from the corner of its box on: in blocks of 4
+// x 2 where it is at most four pixels wide, else in rows of 8 that stand below each other in columns.
 #pragma once
 
 #include "set_up.h"
@@ -34,12 +34,12 @@ struct alignas(32) BlockShape {
 template <bool kTall>
 inline constexpr BlockShape<kTall> BlockShape<kTall>::kShape = make();
 
-template <class L, size_t kSamples>
+template <class L>
 struct FillSmall {
   using F = typename L::F;
   using I = typename L::I;
-  using Group = SmallGroup<kSamples>;
-  static constexpr size_t kRowWords = size_t{kTileStride} * kSamples;
+  using Group = SmallGroup<1>;
+  static constexpr size_t kRowWords = kTileStride;
 
   // Fixed-point colours of eight pixels, as SmallGroup has them.
   struct Colours {
@@ -56,46 +56,10 @@ struct FillSmall {
   }
   static bool is_gouraud(const Group& g, size_t k) { return (g.word[k] & kGouraudColour) != 0U; }
   static Colours flat_colours(uint32_t word) {
-    const auto fixed = [](uint32_t level) {
-      return static_cast<uint32_t>(static_cast<int32_t>(level << kLevelBits) - Group::kLess) & 0xFFFFU;
-    };
     // Red has the bit above it too: kStandInColour is to come out as it is.
-    return {L::set(static_cast<int32_t>(fixed(word & 0xFFU) | fixed(word >> 16U & 0x1FFU) << 16U)),
-            L::set(static_cast<int32_t>(fixed(word >> 8U & 0xFFU) << Group::kGreenShift))};
+    return {L::set(static_cast<int32_t>((word & 0xFFU) << kLevelBits | (word >> 16U & 0x1FFU) << (16 + kLevelBits))),
+            L::set(static_cast<int32_t>((word >> 8U & 0xFFU) << (kLevelBits + 1)))};
   }
-
-  // What is wanted of a triangle with several samples: within what its colours are held, and where its samples lie. For
-  // one block the latter are spread when they are asked for, for many once.
-  template <bool kMany>
-  struct Samples {
-    const Group& g;
-    const size_t k;
-    Colours least, greatest;
-    I kept_below[kMany ? kSamples : 1][3];
-    F kept_depth[kMany ? kSamples : 1];
-
-    Samples(const Group& group, size_t lane, const Colours& flat) : g(group), k(lane), least(flat), greatest(flat) {
-      if constexpr (kSamples > 1) {
-        if (is_gouraud(g, k)) {
-          least = spread(g.colour_least, k);
-          greatest = spread(g.colour_greatest, k);
-        }
-        for (size_t s = 0; kMany && s < kSamples; ++s) {
-          for (size_t e = 0; e < 3; ++e)
-            kept_below[s][e] = L::spread(&g.below[s][e][k]);
-          kept_depth[s] = L::spread(&g.sample_depth[s][k]);
-        }
-      }
-    }
-    I below(size_t s, size_t e) const {
-      if constexpr (kMany) return kept_below[s][e];
-      return L::spread(&g.below[s][e][k]);
-    }
-    F depth(size_t s) const {
-      if constexpr (kMany) return kept_depth[s];
-      return L::spread(&g.sample_depth[s][k]);
-    }
-  };
 
   // Eight pixels: the place, and what changes from block to block of a triangle.
   struct Block {
@@ -111,20 +75,7 @@ struct FillSmall {
       depths += words;
       pixels += words;
     }
-    template <bool kMany>
-    I shade(const Samples<kMany>& samples) const {
-      const I byte = L::set(0xFF00);
-      if constexpr (kSamples == 1)
-        return L::template shift_right16<kLevelBits>(colour.blue_red) | (colour.green & byte);
-      const I less = L::set(Group::kLess | Group::kLess << 16);
-      const auto held = [less](I value, I least, I greatest) {
-        return L::add16(L::min16(L::max16(value, least), greatest), less);
-      };
-      const I green = held(colour.green, samples.least.green, samples.greatest.green);
-      return L::template shift_right16<kLevelBits>(
-                 held(colour.blue_red, samples.least.blue_red, samples.greatest.blue_red)) |
-             (L::template shift_left<8 - kLevelBits>(green) & byte);
-    }
+    I shade() const { return L::template shift_right16<kLevelBits>(colour.blue_red) | (colour.green & L::set(0xFF00)); }
   };
 
   template <bool kTall, class T>
@@ -146,26 +97,11 @@ struct FillSmall {
 
   // `depth`: at the pixels' centres.
   template <bool kTall>
-  static void fill(const Block& block, F depth, const Samples<!kTall>& samples) {
-    const I colour = block.shade(samples);
-    if constexpr (kSamples == 1) {
-      F stored = load<kTall>(block.depths);
-      const I visible = L::keep_greater(block.edge[0] | block.edge[1] | block.edge[2], depth, stored);
-      store<kTall>(block.depths, stored);
-      store<kTall>(block.pixels, L::select(visible, colour, load<kTall>(block.pixels)));
-      return;
-    }
-    // At least one of them can have a sample inside.
-    for (size_t s = 0; s < kSamples; ++s) {
-      const I outside = (block.edge[0] + samples.below(s, 0)) | (block.edge[1] + samples.below(s, 1)) |
-                        (block.edge[2] + samples.below(s, 2));
-      float* depths = block.depths + s * kTileStride;
-      F stored = load<kTall>(depths);
-      const I visible = L::keep_greater(outside, depth + samples.depth(s), stored);
-      store<kTall>(depths, stored);
-      uint32_t* pixels = block.pixels + s * kTileStride;
-      store<kTall>(pixels, L::select(visible, colour, load<kTall>(pixels)));
-    }
+  static void fill(const Block& block, F depth) {
+    F stored = load<kTall>(block.depths);
+    const I visible = L::keep_greater(block.edge[0] | block.edge[1] | block.edge[2], depth, stored);
+    store<kTall>(block.depths, stored);
+    store<kTall>(block.pixels, L::select(visible, block.shade(), load<kTall>(block.pixels)));
   }
 
   // The block at the triangle's corner.
@@ -200,12 +136,11 @@ struct FillSmall {
   static void fill_narrow(const TileBuffers& buffers, const Group& g, size_t k) {
     using Shape = BlockShape<true>;
     Block block = first_block<true>(buffers, g, k);
-    const Samples<false> samples(g, k, block.colour);
     const F origin = L::spread(&g.depth[k]);
     const F depth_down = L::spread(&g.depth_y[k]);
     const F depth_across = (L::spread(&g.across[k]) + L::load(Shape::kShape.across)) * L::spread(&g.depth_x[k]);
     F down = L::spread(&g.down[k]) + L::load(Shape::kShape.down);
-    fill<true>(block, (origin + down * depth_down) + depth_across, samples);
+    fill<true>(block, (origin + down * depth_down) + depth_across);
     int32_t rows = g.height[k] - 2;
     if (rows <= 0) return;
     I edge_down[3];
@@ -214,7 +149,7 @@ struct FillSmall {
     for (; rows > 0; rows -= 2) {
       block.move(edge_down, colour_down, 2 * kRowWords);
       down = down + L::set(2.0F);
-      fill<true>(block, (origin + down * depth_down) + depth_across, samples);
+      fill<true>(block, (origin + down * depth_down) + depth_across);
     }
   }
 
@@ -241,14 +176,13 @@ struct FillSmall {
     const Colours& colour;
   };
   // With registers enough, two rows at a time: below the triangle's last one the edges shut everything out.
-  static void fill_rows(Block block, const float* depth, int32_t rows, F across, const Steps& step,
-                        const Samples<true>& samples) {
-    constexpr ptrdiff_t kAtOnce = kSamples == 1 ? L::kRowsAtOnce : 1;
+  static void fill_rows(Block block, const float* depth, int32_t rows, F across, const Steps& step) {
+    constexpr ptrdiff_t kAtOnce = L::kRowsAtOnce;
     for (const float* end = depth + rows;;) {
-      fill<false>(block, L::spread(depth) + across, samples);
+      fill<false>(block, L::spread(depth) + across);
       if constexpr (kAtOnce == 2) {
         block.move(step.edge, step.colour, kRowWords);
-        fill<false>(block, L::spread(depth + 1) + across, samples);
+        fill<false>(block, L::spread(depth + 1) + across);
       }
       depth += kAtOnce;
       if (depth >= end) return;
@@ -258,13 +192,12 @@ struct FillSmall {
 
   [[gnu::noinline]] static void fill_medium(const TileBuffers& buffers, const Group& g, size_t k) {
     Block block = first_block<false>(buffers, g, k);
-    const Samples<true> samples(g, k, block.colour);
     const RowDepths row(g, k);
     const F across = depth_across(g, k) * L::spread(&g.depth_x[k]);
     I edge_down[3];
     Colours colour_down;
     steps_down<1>(g, k, edge_down, colour_down);
-    fill_rows(block, row.depth, g.height[k], across, {edge_down, colour_down}, samples);
+    fill_rows(block, row.depth, g.height[k], across, {edge_down, colour_down});
   }
 
   // Of each column of a wide triangle the rows that may hold something. They follow each other, as each edge shuts out
@@ -300,7 +233,6 @@ struct FillSmall {
 
   [[gnu::noinline]] static void fill_wide(const TileBuffers& buffers, const Group& g, size_t k) {
     const Block corner = first_block<false>(buffers, g, k);
-    const Samples<true> samples(g, k, corner.colour);
     const RowDepths row(g, k);
     const ColumnRows rows(g, k);
     const F depth_x = L::spread(&g.depth_x[k]);
@@ -325,7 +257,7 @@ struct FillSmall {
       block.depths += place;
       block.pixels += place;
       const F depth_here = across * depth_x;
-      fill_rows(block, row.depth + first, rows.count[c], depth_here, {edge_down, colour_down}, samples);
+      fill_rows(block, row.depth + first, rows.count[c], depth_here, {edge_down, colour_down});
     }
   }
 

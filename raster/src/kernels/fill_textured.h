@@ -5,6 +5,7 @@
 #pragma once
 
 #include "fill_general.h"
+#include "fill_samples.h"
 #include "fill_small.h"
 #include "set_up.h"
 #include "texture.h"
@@ -171,19 +172,17 @@ struct FillTextured {
     return L::template shift_left<16>(channel[0]) | L::template shift_left<8>(channel[1]) | channel[2];
   }
 
-  static size_t place(int32_t row, int32_t column, size_t sample) {
-    return static_cast<size_t>(row) * kRowWords + sample * kTileStride + static_cast<size_t>(column);
+  static size_t place(int32_t row, int32_t column) {
+    return static_cast<size_t>(row) * kRowWords + static_cast<size_t>(column) * kSamples;
   }
 
   // What a masked triangle may have to give back.
   static void keep(const TileBuffers& buffers, const Region& region) {
     for (int32_t row = region.first_row; row <= region.last_row; ++row) {
-      for (size_t s = 0; s < kSamples; ++s) {
-        for (int32_t column = region.first_column; column <= region.last_column; column += 8) {
-          const size_t here = place(row, column, s);
-          L::store(buffers.kept_colour + here, L::load(buffers.colour + here));
-          L::store(buffers.kept_depth + here, L::load(buffers.depth + here));
-        }
+      const size_t end = place(row, region.last_column + 1);
+      for (size_t here = place(row, region.first_column); here < end; here += 8) {
+        L::store(buffers.kept_colour + here, L::load(buffers.colour + here));
+        L::store(buffers.kept_depth + here, L::load(buffers.depth + here));
       }
     }
   }
@@ -195,19 +194,24 @@ struct FillTextured {
     const I stand_in = L::set(static_cast<int32_t>(kStandInColour));
     for (int32_t row = region.first_row; row <= region.last_row; ++row) {
       for (int32_t column = region.first_column; column <= region.last_column; column += 8) {
-        I pixels{};
-        I drawn{};
+        I pixels[kSamples]{};
+        I drawn[kSamples]{};
         bool shaded = false;
-        for (size_t s = 0; s < kSamples; ++s) {
-          const size_t here = place(row, column, s);
+        for (size_t v = 0; v < kSamples; ++v) {
+          const size_t here = place(row, column) + 8 * v;
           const I old = L::load(buffers.colour + here);
           const I mine = L::equal(old, stand_in);
           if (L::signs(mine) == 0U) continue;
-          if (!shaded) pixels = shade(shape, t, job.x + column, job.y + row, drawn);
+          if (!shaded) {
+            I drawn_pixels;
+            const I colours = shade(shape, t, job.x + column, job.y + row, drawn_pixels);
+            Resolve<L, kSamples>::expand(colours, pixels);
+            Resolve<L, kSamples>::expand(drawn_pixels, drawn);
+          }
           shaded = true;
-          L::store(buffers.colour + here, L::select(mine, pixels, old));
+          L::store(buffers.colour + here, L::select(mine, pixels[v], old));
           if (t.cutoff == 0) continue;
-          const I back = L::and_not(drawn, mine);
+          const I back = L::and_not(drawn[v], mine);
           if (L::signs(back) == 0U) continue;
           L::store(buffers.colour + here,
                    L::select(back, L::load(buffers.kept_colour + here), L::load(buffers.colour + here)));
@@ -234,7 +238,11 @@ struct FillTextured {
     static constexpr uint32_t kAlone[8] = {};
     SmallGroup<kSamples> group;
     if ((SetUp<LanesApart<L>, kSamples>::run(job, &small, kAlone, group) & 1U) != 0U) return false;
-    FillSmall<LanesApart<L>, kSamples>::run(job.buffers, group, 0);
+    if constexpr (kSamples == 1) {
+      FillSmall<LanesApart<L>>::run(job.buffers, group, 0);
+    } else {
+      FillSamples<LanesApart<L>, kSamples>::run(job.buffers, group, 0);
+    }
     return true;
   }
 

@@ -192,8 +192,9 @@ struct GeneralTriangle {
 
 struct TexturedTriangle;  // texture.h
 
-/// Buffers of one worker for the tile in hand: [row][sample][column], kTileStride columns, the pointers at the first
-/// pixel within the margin.
+/// Buffers of one worker for the tile in hand: [row][column][sample], kTileStride columns, the pointers at the first
+/// pixel within the margin. A pixel's samples stand together, so that what a triangle leaves out costs nothing in units
+/// of a pixel, not of a vector's pixels.
 struct TileBuffers {
   uint32_t* colour;
   float* depth;

@@ -10,6 +10,8 @@ namespace auslan::raster {
 
 struct Avx2 {
   static constexpr int kRowsAtOnce = 2;
+  static constexpr size_t kLanes = 8;
+  static constexpr size_t kAveragedSamples = 0;
   struct F {
     __m256 v;
     friend F operator+(F a, F b) { return {_mm256_add_ps(a.v, b.v)}; }
@@ -84,6 +86,8 @@ struct Avx2 {
   static I max16(I a, I b) { return {_mm256_max_epi16(a.v, b.v)}; }
   static I add16(I a, I b) { return {_mm256_add_epi16(a.v, b.v)}; }
   static I multiply16(I a, I b) { return {_mm256_mullo_epi16(a.v, b.v)}; }
+  static I low_halves(I a) { return {_mm256_shufflehi_epi16(_mm256_shufflelo_epi16(a.v, 0xA0), 0xA0)}; }
+  static I high_halves(I a) { return {_mm256_shufflehi_epi16(_mm256_shufflelo_epi16(a.v, 0xF5), 0xF5)}; }
   template <int kBits>
   static I shift_right16(I a) {
     return {_mm256_srli_epi16(a.v, kBits)};
@@ -112,6 +116,85 @@ struct Avx2 {
     _mm_storeu_si128(reinterpret_cast<__m128i*>(p), _mm256_castsi256_si128(a.v));
     _mm_storeu_si128(reinterpret_cast<__m128i*>(p + stride), _mm256_extracti128_si256(a.v, 1));
   }
+
+  template <size_t kSamples>
+  static F repeat(const float* p) {
+    if constexpr (kSamples == 2)
+      return {_mm256_castpd_ps(_mm256_broadcast_sd(reinterpret_cast<const double*>(p)))};
+    else if constexpr (kSamples == 4)
+      return {_mm256_broadcast_ps(reinterpret_cast<const __m128*>(p))};
+    else
+      return load(p);
+  }
+  template <size_t kSamples>
+  static I repeat(const int32_t* p) {
+    return bits(repeat<kSamples>(reinterpret_cast<const float*>(p)));  // bits that pass through
+  }
+  template <size_t kSamples>
+  static void expand(I a, I (&out)[kSamples]) {
+    for (size_t v = 0; v < kSamples; ++v) {
+      const auto from = [v](size_t lane) { return static_cast<int>((v * 8 + lane) / kSamples); };
+      const __m256i order = _mm256_setr_epi32(from(0), from(1), from(2), from(3), from(4), from(5), from(6), from(7));
+      out[v] = {_mm256_permutevar8x32_epi32(a.v, order)};
+    }
+  }
+  template <size_t kSamples>
+  static void split(const uint32_t* p, I (&out)[kSamples]) {
+    if constexpr (kSamples == 2) {
+      const __m256 r0 = from_bits(load(p)).v;
+      const __m256 r1 = from_bits(load(p + 8)).v;
+      const auto in_order = [](__m256 halves) { return _mm256_permute4x64_epi64(_mm256_castps_si256(halves), 0xD8); };
+      out[0] = {in_order(_mm256_shuffle_ps(r0, r1, 0x88))};
+      out[1] = {in_order(_mm256_shuffle_ps(r0, r1, 0xDD))};
+    } else if constexpr (kSamples == 4) {
+      const auto two = [p](size_t i) { return load_2x4(reinterpret_cast<const float*>(p) + 4 * i, 16).v; };
+      F f[4];
+      transpose(two(0), two(1), two(2), two(3), f[0], f[1], f[2], f[3]);
+      for (size_t s = 0; s < 4; ++s)
+        out[s] = bits(f[s]);
+    } else {
+      static constexpr uint32_t kNumbers[8] = {0, 8, 16, 24, 32, 40, 48, 56};
+      const __m256i numbers = load(kNumbers).v;
+      for (size_t s = 0; s < kSamples; ++s)
+        out[s] = {_mm256_i32gather_epi32(reinterpret_cast<const int*>(p + s), numbers, 4)};
+    }
+  }
+  template <size_t kSamples>
+  static bool alike(const uint32_t* p, I& pixels) {
+    I samples[kSamples];
+    split<kSamples>(p, samples);
+    I differ = samples[1] ^ samples[0];
+    for (size_t s = 2; s < kSamples; ++s)
+      differ = differ | (samples[s] ^ samples[0]);
+    pixels = samples[0];
+    return signs(equal(differ, set(0))) == 0xFFU;
+  }
+  template <size_t kSamples>
+  static I words_of_samples(I colours) {
+    // The first four bytes of each half's pixels, and the next four.
+    constexpr int kLast = kSamples == 8 ? 0 : 1;
+    const __m256i order = kSamples == 2 ? _mm256_setr_epi32(0, 0, 1, 1, 4, 4, 5, 5)
+                                        : _mm256_setr_epi32(0, 0, 0, 0, kLast, kLast, kLast, kLast);
+    return {_mm256_permutevar8x32_epi32(_mm256_packus_epi16(colours.v, colours.v), order)};
+  }
+  // With what fill_samples.h needs to find a row's pixels.
+  struct Crossings {
+    __m128 v;
+  };
+  static Crossings load_crossings(const float* p) { return {_mm_loadu_ps(p)}; }
+  static Crossings sum(Crossings a, Crossings b) { return {_mm_add_ps(a.v, b.v)}; }
+  static Crossings least_crossings(int32_t width) {
+    return {_mm_setr_ps(-1.0F, static_cast<float>(1 - width), 0.0F, 0.0F)};
+  }
+  static void pixels_between(Crossings a, Crossings least, int32_t& first, int32_t& minus_last) {
+    const __m128 greater = _mm_max_ps(_mm_max_ps(a.v, _mm_movehl_ps(a.v, a.v)), least.v);
+    const __m128 held = _mm_min_ps(greater, _mm_setr_ps(64.0F, 1.0F, 0.0F, 0.0F));
+    const int64_t both = _mm_cvtsi128_si64(_mm_cvttps_epi32(_mm_add_ps(held, _mm_setr_ps(1.0F, 0.0F, 0.0F, 0.0F))));
+    first = static_cast<int32_t>(both);
+    minus_last = static_cast<int32_t>(both >> 32);
+  }
+  template <size_t>
+  static Avx2 sample_lanes();
 
   // In each half: the 4x4 transpose of four rows.
   static void transpose(__m256 r0, __m256 r1, __m256 r2, __m256 r3, F& a, F& b, F& c, F& d) {

@@ -10,6 +10,8 @@ namespace auslan::raster {
 
 struct Neon {
   static constexpr int kRowsAtOnce = 2;
+  static constexpr size_t kLanes = 8;
+  static constexpr size_t kAveragedSamples = 0;
   struct F {
     float32x4_t l, h;
     friend F operator+(F a, F b) { return {vaddq_f32(a.l, b.l), vaddq_f32(a.h, b.h)}; }
@@ -91,6 +93,20 @@ struct Neon {
   static I min16(I a, I b) { return {halves_min(a.l, b.l), halves_min(a.h, b.h)}; }
   static I max16(I a, I b) { return {halves_max(a.l, b.l), halves_max(a.h, b.h)}; }
   static I add16(I a, I b) { return {halves_add(a.l, b.l), halves_add(a.h, b.h)}; }
+  static I low_halves(I a) {
+    const auto both = [](int32x4_t x) {
+      const int16x8_t halves = vreinterpretq_s16_s32(x);
+      return vreinterpretq_s32_s16(vtrn1q_s16(halves, halves));
+    };
+    return {both(a.l), both(a.h)};
+  }
+  static I high_halves(I a) {
+    const auto both = [](int32x4_t x) {
+      const int16x8_t halves = vreinterpretq_s16_s32(x);
+      return vreinterpretq_s32_s16(vtrn2q_s16(halves, halves));
+    };
+    return {both(a.l), both(a.h)};
+  }
   static I multiply16(I a, I b) { return {halves_multiply(a.l, b.l), halves_multiply(a.h, b.h)}; }
   template <int kBits>
   static I shift_right16(I a) {
@@ -103,6 +119,99 @@ struct Neon {
     stored = select(visible, z, stored);
     return visible;
   }
+
+  template <size_t kSamples>
+  static F repeat(const float* p) {
+    if constexpr (kSamples == 2) {
+      const float32x2_t two = vld1_f32(p);
+      return {vcombine_f32(two, two), vcombine_f32(two, two)};
+    } else {
+      return load_2x4(p, kSamples == 4 ? 0 : 4);
+    }
+  }
+  template <size_t kSamples>
+  static I repeat(const int32_t* p) {
+    return bits(repeat<kSamples>(reinterpret_cast<const float*>(p)));  // bits that pass through
+  }
+  template <size_t kSamples>
+  static void expand(I a, I (&out)[kSamples]) {
+    uint32_t lanes[8];
+    store(lanes, a);
+    for (size_t v = 0; v < kSamples; ++v) {
+      const auto four = [&lanes](size_t first) {
+        if constexpr (kSamples == 2) {
+          const int32x4_t pair =
+              vreinterpretq_s32_u64(vcombine_u64(vreinterpret_u64_u32(vdup_n_u32(lanes[first / 2])),
+                                                 vreinterpret_u64_u32(vdup_n_u32(lanes[first / 2 + 1]))));
+          return pair;
+        } else {
+          return vreinterpretq_s32_u32(vdupq_n_u32(lanes[first / kSamples]));
+        }
+      };
+      out[v] = {four(8 * v), four(8 * v + 4)};
+    }
+  }
+  template <size_t kSamples>
+  static void split(const uint32_t* p, I (&out)[kSamples]) {
+    if constexpr (kSamples == 2) {
+      const uint32x4x2_t low = vld2q_u32(p);
+      const uint32x4x2_t high = vld2q_u32(p + 8);
+      for (size_t s = 0; s < 2; ++s)
+        out[s] = lanes_of(low.val[s], high.val[s]);
+    } else if constexpr (kSamples == 4) {
+      const uint32x4x4_t low = vld4q_u32(p);
+      const uint32x4x4_t high = vld4q_u32(p + 16);
+      for (size_t s = 0; s < 4; ++s)
+        out[s] = lanes_of(low.val[s], high.val[s]);
+    } else {
+      for (size_t s = 0; s < kSamples; ++s) {
+        uint32_t lanes[8];
+        for (size_t i = 0; i < 8; ++i)
+          lanes[i] = p[i * kSamples + s];
+        out[s] = load(lanes);
+      }
+    }
+  }
+  template <size_t kSamples>
+  static bool alike(const uint32_t* p, I& pixels) {
+    I samples[kSamples];
+    split<kSamples>(p, samples);
+    I differ = samples[1] ^ samples[0];
+    for (size_t s = 2; s < kSamples; ++s)
+      differ = differ | (samples[s] ^ samples[0]);
+    pixels = samples[0];
+    return signs(equal(differ, set(0))) == 0xFFU;
+  }
+  template <size_t kSamples>
+  static I words_of_samples(I colours) {
+    const auto words = [](int32x4_t pixels) { return vreinterpret_s32_u8(vqmovun_s16(vreinterpretq_s16_s32(pixels))); };
+    const int32x2_t low = words(colours.l);
+    if constexpr (kSamples == 2) {
+      const int32x2_t high = words(colours.h);
+      return {vcombine_s32(vdup_lane_s32(low, 0), vdup_lane_s32(low, 1)),
+              vcombine_s32(vdup_lane_s32(high, 0), vdup_lane_s32(high, 1))};
+    } else {
+      return {vdupq_lane_s32(low, 0), vdupq_lane_s32(low, kSamples == 4 ? 1 : 0)};
+    }
+  }
+  // With what fill_samples.h needs to find a row's pixels.
+  struct Crossings {
+    float32x4_t v;
+  };
+  static Crossings load_crossings(const float* p) { return {vld1q_f32(p)}; }
+  static Crossings sum(Crossings a, Crossings b) { return {vaddq_f32(a.v, b.v)}; }
+  static Crossings least_crossings(int32_t width) {
+    return {vsetq_lane_f32(static_cast<float>(1 - width), vdupq_n_f32(-1.0F), 1)};
+  }
+  static void pixels_between(Crossings a, Crossings least, int32_t& first, int32_t& minus_last) {
+    const float32x2_t greatest = vset_lane_f32(1.0F, vdup_n_f32(64.0F), 1);
+    const float32x2_t held =
+        vmin_f32(vmax_f32(vmax_f32(vget_low_f32(a.v), vget_high_f32(a.v)), vget_low_f32(least.v)), greatest);
+    first = static_cast<int32_t>(vget_lane_f32(held, 0) + 1.0F);
+    minus_last = static_cast<int32_t>(vget_lane_f32(held, 1));
+  }
+  template <size_t>
+  static Neon sample_lanes();
 
   static F load_2x4(const float* p, size_t stride) { return {vld1q_f32(p), vld1q_f32(p + stride)}; }
   static I load_2x4(const uint32_t* p, size_t stride) { return lanes_of(vld1q_u32(p), vld1q_u32(p + stride)); }

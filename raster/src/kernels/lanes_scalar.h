@@ -16,6 +16,8 @@ struct Scalar {
   /// How many rows of pixels a loop takes at a time: as many as the registers hold.
   static constexpr int kRowsAtOnce = 1;
   static constexpr size_t kLanes = 8;
+  /// Of how many samples a pixel `average` takes; 0 where there is none, and Resolve has its own for all.
+  static constexpr size_t kAveragedSamples = 0;
   struct F {
     float v[kLanes];
     template <class Operation>
@@ -243,6 +245,13 @@ struct Scalar {
   static I multiply16(const I& a, const I& b) {
     return I::map(a, b, [](uint32_t x, uint32_t y) { return join(x * y, (x >> 16U) * (y >> 16U)); });
   }
+  /// One half in the place of both.
+  static I low_halves(const I& a) {
+    return I::map(a, a, [](uint32_t x, uint32_t) { return join(x, x); });
+  }
+  static I high_halves(const I& a) {
+    return I::map(a, a, [](uint32_t x, uint32_t) { return join(x >> 16U, x >> 16U); });
+  }
   /// Both halves as unsigned numbers.
   template <int kBits>
   static I shift_right16(const I& a) {
@@ -286,6 +295,81 @@ struct Scalar {
       p[stride + i] = a.v[i + 4];
     }
   }
+
+  /// kSamples numbers from memory, again and again in all lanes.
+  template <size_t kSamples>
+  static F repeat(const float* p) {
+    F r;
+    for (size_t i = 0; i < kLanes; ++i)
+      r.v[i] = p[i % kSamples];
+    return r;
+  }
+  template <size_t kSamples>
+  static I repeat(const int32_t* p) {
+    I r;
+    for (size_t i = 0; i < kLanes; ++i)
+      r.v[i] = static_cast<uint32_t>(p[i % kSamples]);
+    return r;
+  }
+  /// Each lane kSamples times, one after the other.
+  template <size_t kSamples>
+  static void expand(const I& a, I (&out)[kSamples]) {
+    for (size_t i = 0; i < kLanes * kSamples; ++i)
+      out[i / kLanes].v[i % kLanes] = a.v[i / kSamples];
+  }
+  /// Of eight times kSamples numbers in memory the first of each kSamples, the second, ...
+  template <size_t kSamples>
+  static void split(const uint32_t* p, I (&out)[kSamples]) {
+    for (size_t i = 0; i < kLanes * kSamples; ++i)
+      out[i % kSamples].v[i / kSamples] = p[i];
+  }
+  /// Whether kSamples numbers of each pixel are the same for all eight pixels; `pixels` are the first of each then.
+  template <size_t kSamples>
+  static bool alike(const uint32_t* p, I& pixels) {
+    bool same = true;
+    for (size_t i = 0; i < kLanes * kSamples; ++i)
+      same = same && p[i] == p[i / kSamples * kSamples];
+    for (size_t i = 0; i < kLanes; ++i)
+      pixels.v[i] = p[i * kSamples];
+    return same;
+  }
+  /// Colours of pixels, four 16-bit numbers each, as 0xDDCCBBAA, for each of a pixel's kSamples samples; the numbers
+  /// are 0 to 255.
+  template <size_t kSamples>
+  static I words_of_samples(const I& colours) {
+    I r;
+    for (size_t i = 0; i < kLanes; ++i) {
+      const uint32_t low = colours.v[i / kSamples * 2];
+      const uint32_t high = colours.v[i / kSamples * 2 + 1];
+      r.v[i] = (low & 0xFFU) | (low >> 16U) << 8U | (high & 0xFFU) << 16U | (high >> 16U) << 24U;
+    }
+    return r;
+  }
+  /// Four distances, as SmallGroup has its crossings.
+  struct Crossings {
+    float v[4];
+  };
+  static Crossings load_crossings(const float* p) { return {{p[0], p[1], p[2], p[3]}}; }
+  static Crossings sum(const Crossings& a, const Crossings& b) {
+    return {{a.v[0] + b.v[0], a.v[1] + b.v[1], a.v[2] + b.v[2], a.v[3] + b.v[3]}};
+  }
+  /// What they are held above for rows from pixel 0 to `width` - 1.
+  static Crossings least_crossings(int32_t width) { return {{-1.0F, static_cast<float>(1 - width), 0.0F, 0.0F}}; }
+  /// The first pixel of a row behind both left crossings, at most kTileWidth + 1, and, negative, the last one before
+  /// both right ones.
+  static void pixels_between(const Crossings& a, const Crossings& least, int32_t& first, int32_t& minus_last) {
+    const auto held = [](float x, float y, float low, float high) {
+      const float more = x > y ? x : y;
+      const float above = more > low ? more : low;
+      return above < high ? above : high;
+    };
+    first = static_cast<int32_t>(held(a.v[0], a.v[2], least.v[0], 64.0F) + 1.0F);
+    minus_last = static_cast<int32_t>(held(a.v[1], a.v[3], least.v[1], 1.0F));
+  }
+  /// Lanes for the samples of pixels side by side: a type with the part of this contract that fill_samples.h uses, and
+  /// with at least kSamples lanes.
+  template <size_t>
+  static Scalar sample_lanes();
 
   /// Lane i of a, b, c, d: the four floats at base + number[i] * stride.
   static void gather_quads(const float* base, const uint32_t* number, size_t stride, F& a, F& b, F& c, F& d) {

@@ -8,8 +8,73 @@
 
 namespace auslan::raster {
 
+/// Four lanes in one register: what fill_samples.h needs for up to four samples, so that a pixel at a time is in hand.
+struct Sse2Quad {
+  static constexpr size_t kLanes = 4;
+  struct F {
+    __m128 v;
+    friend F operator+(F a, F b) { return {_mm_add_ps(a.v, b.v)}; }
+  };
+  struct I {
+    __m128i v;
+    friend I operator+(I a, I b) { return {_mm_add_epi32(a.v, b.v)}; }
+    friend I operator&(I a, I b) { return {_mm_and_si128(a.v, b.v)}; }
+    friend I operator|(I a, I b) { return {_mm_or_si128(a.v, b.v)}; }
+  };
+  static I set(int32_t x) { return {_mm_set1_epi32(x)}; }
+  static F spread(const float* p) { return {_mm_set1_ps(*p)}; }
+  static I spread(const int32_t* p) { return {_mm_shuffle_epi32(_mm_loadu_si32(p), 0)}; }
+  static F load(const float* p) { return {_mm_loadu_ps(p)}; }
+  static I load(const uint32_t* p) { return {_mm_loadu_si128(reinterpret_cast<const __m128i*>(p))}; }
+  static void store(float* p, F a) { _mm_storeu_ps(p, a.v); }
+  static void store(uint32_t* p, I a) { _mm_storeu_si128(reinterpret_cast<__m128i*>(p), a.v); }
+  static I select(I mask, I yes, I no) {
+    return {_mm_xor_si128(_mm_and_si128(_mm_xor_si128(yes.v, no.v), mask.v), no.v)};
+  }
+  static I dot(I a, I b) { return {_mm_madd_epi16(a.v, b.v)}; }
+  static I min16(I a, I b) { return {_mm_min_epi16(a.v, b.v)}; }
+  static I max16(I a, I b) { return {_mm_max_epi16(a.v, b.v)}; }
+  static I add16(I a, I b) { return {_mm_add_epi16(a.v, b.v)}; }
+  static I multiply16(I a, I b) { return {_mm_mullo_epi16(a.v, b.v)}; }
+  static I low_halves(I a) { return {_mm_shufflehi_epi16(_mm_shufflelo_epi16(a.v, 0xA0), 0xA0)}; }
+  static I high_halves(I a) { return {_mm_shufflehi_epi16(_mm_shufflelo_epi16(a.v, 0xF5), 0xF5)}; }
+  template <int kBits>
+  static I shift_left(I a) {
+    return {_mm_slli_epi32(a.v, kBits)};
+  }
+  template <int kBits>
+  static I shift_right16(I a) {
+    return {_mm_srli_epi16(a.v, kBits)};
+  }
+  static I keep_greater(I outside, F z, F& stored) {
+    const __m128 inside = _mm_andnot_ps(_mm_castsi128_ps(_mm_srai_epi32(outside.v, 31)), z.v);
+    const __m128 visible = _mm_cmpgt_ps(inside, stored.v);
+    stored = {_mm_max_ps(inside, stored.v)};
+    return {_mm_castps_si128(visible)};
+  }
+  template <size_t kSamples>
+  static F repeat(const float* p) {
+    if constexpr (kSamples == 2) {
+      const __m128 two = _mm_castpd_ps(_mm_load_sd(reinterpret_cast<const double*>(p)));
+      return {_mm_movelh_ps(two, two)};
+    } else {
+      return load(p);
+    }
+  }
+  template <size_t kSamples>
+  static I repeat(const int32_t* p) {
+    return {_mm_castps_si128(repeat<kSamples>(reinterpret_cast<const float*>(p)).v)};  // bits that pass through
+  }
+  template <size_t kSamples>
+  static I words_of_samples(I colours) {
+    return {_mm_shuffle_epi32(_mm_packus_epi16(colours.v, colours.v), kSamples == 2 ? 0x50 : 0x00)};
+  }
+};
+
 struct Sse2 {
   static constexpr int kRowsAtOnce = 1;
+  static constexpr size_t kLanes = 8;
+  static constexpr size_t kAveragedSamples = 4;
   struct F {
     __m128 l, h;
     friend F operator+(F a, F b) { return {_mm_add_ps(a.l, b.l), _mm_add_ps(a.h, b.h)}; }
@@ -86,6 +151,8 @@ struct Sse2 {
   static I max16(I a, I b) { return {_mm_max_epi16(a.l, b.l), _mm_max_epi16(a.h, b.h)}; }
   static I add16(I a, I b) { return {_mm_add_epi16(a.l, b.l), _mm_add_epi16(a.h, b.h)}; }
   static I multiply16(I a, I b) { return {_mm_mullo_epi16(a.l, b.l), _mm_mullo_epi16(a.h, b.h)}; }
+  static I low_halves(I a) { return {Sse2Quad::low_halves({a.l}).v, Sse2Quad::low_halves({a.h}).v}; }
+  static I high_halves(I a) { return {Sse2Quad::high_halves({a.l}).v, Sse2Quad::high_halves({a.h}).v}; }
   template <int kBits>
   static I shift_right16(I a) {
     return {_mm_srli_epi16(a.l, kBits), _mm_srli_epi16(a.h, kBits)};
@@ -98,6 +165,128 @@ struct Sse2 {
     const I visible = greater(inside, stored);
     stored = max(inside, stored);
     return visible;
+  }
+
+  template <size_t kSamples>
+  static F repeat(const float* p) {
+    if constexpr (kSamples == 8) return load(p);
+    const __m128 four = Sse2Quad::repeat<kSamples>(p).v;
+    return {four, four};
+  }
+  template <size_t kSamples>
+  static I repeat(const int32_t* p) {
+    return bits(repeat<kSamples>(reinterpret_cast<const float*>(p)));  // bits that pass through
+  }
+  template <size_t kSamples>
+  static void expand(I a, I (&out)[kSamples]) {
+    if constexpr (kSamples == 2) {
+      out[0] = {_mm_unpacklo_epi32(a.l, a.l), _mm_unpackhi_epi32(a.l, a.l)};
+      out[1] = {_mm_unpacklo_epi32(a.h, a.h), _mm_unpackhi_epi32(a.h, a.h)};
+    } else if constexpr (kSamples == 4) {
+      out[0] = {_mm_shuffle_epi32(a.l, 0x00), _mm_shuffle_epi32(a.l, 0x55)};
+      out[1] = {_mm_shuffle_epi32(a.l, 0xAA), _mm_shuffle_epi32(a.l, 0xFF)};
+      out[2] = {_mm_shuffle_epi32(a.h, 0x00), _mm_shuffle_epi32(a.h, 0x55)};
+      out[3] = {_mm_shuffle_epi32(a.h, 0xAA), _mm_shuffle_epi32(a.h, 0xFF)};
+    } else {
+      int32_t lanes[8];
+      store(lanes, a);
+      for (size_t v = 0; v < kSamples; ++v)
+        out[v] = set(lanes[v]);
+    }
+  }
+  template <size_t kSamples>
+  static void split(const uint32_t* p, I (&out)[kSamples]) {
+    const auto four = [p](size_t i) { return _mm_castsi128_ps(load4(p + i)); };
+    if constexpr (kSamples == 2) {
+      const auto every_other = [four](size_t i, bool odd) {
+        return _mm_castps_si128(odd ? _mm_shuffle_ps(four(i), four(i + 4), 0xDD)
+                                    : _mm_shuffle_ps(four(i), four(i + 4), 0x88));
+      };
+      out[0] = {every_other(0, false), every_other(8, false)};
+      out[1] = {every_other(0, true), every_other(8, true)};
+    } else {
+      for (size_t s = 0; s < kSamples; s += 4) {
+        const auto pixel = [four, s](size_t i) { return four(i * kSamples + s); };
+        F f[4];
+        transpose(pixel(0), pixel(1), pixel(2), pixel(3), f[0].l, f[1].l, f[2].l, f[3].l);
+        transpose(pixel(4), pixel(5), pixel(6), pixel(7), f[0].h, f[1].h, f[2].h, f[3].h);
+        for (size_t i = 0; i < 4; ++i)
+          out[s + i] = bits(f[i]);
+      }
+    }
+  }
+  template <size_t kSamples>
+  static bool alike(const uint32_t* p, I& pixels) {
+    if constexpr (kSamples == 4) return alike_quads(p, pixels);
+    I samples[kSamples];
+    split<kSamples>(p, samples);
+    I differ = samples[1] ^ samples[0];
+    for (size_t s = 2; s < kSamples; ++s)
+      differ = differ | (samples[s] ^ samples[0]);
+    pixels = samples[0];
+    return signs(equal(differ, set(0))) == 0xFFU;
+  }
+  // The root mean square of four samples, as Resolve::average has it, eight pixels.
+  static I average(const uint32_t* p) {
+    const auto levels = [p](size_t pixel) {
+      const __m128i zero = _mm_setzero_si128();
+      const __m128i four = load4(p + 4 * pixel);
+      // Channel by channel the levels of samples 0 and 2, then those of 1 and 3.
+      const __m128i bytes = _mm_unpacklo_epi8(four, _mm_srli_si128(four, 8));
+      const __m128i even = _mm_unpacklo_epi8(bytes, zero);
+      const __m128i odd = _mm_unpackhi_epi8(bytes, zero);
+      const __m128 sum = _mm_cvtepi32_ps(_mm_add_epi32(_mm_madd_epi16(even, even), _mm_madd_epi16(odd, odd)));
+      return _mm_cvttps_epi32(_mm_add_ps(_mm_sqrt_ps(_mm_mul_ps(sum, _mm_set1_ps(0.25F))), _mm_set1_ps(0.5F)));
+    };
+    const auto four_pixels = [levels](size_t first) {
+      return _mm_packus_epi16(_mm_packs_epi32(levels(first), levels(first + 1)),
+                              _mm_packs_epi32(levels(first + 2), levels(first + 3)));
+    };
+    return {four_pixels(0), four_pixels(4)};
+  }
+  static bool alike_quads(const uint32_t* p, I& pixels) {
+    __m128i quad[8];
+    __m128i same = _mm_set1_epi32(-1);
+    for (size_t i = 0; i < 8; ++i) {
+      quad[i] = load4(p + 4 * i);
+      same = _mm_and_si128(same, _mm_cmpeq_epi32(quad[i], _mm_shuffle_epi32(quad[i], 0)));
+    }
+    if (_mm_movemask_epi8(same) != 0xFFFF) return false;
+    const auto first_of = [&quad](size_t i) {
+      return _mm_unpacklo_epi64(_mm_unpacklo_epi32(quad[i], quad[i + 1]), _mm_unpacklo_epi32(quad[i + 2], quad[i + 3]));
+    };
+    pixels = {first_of(0), first_of(4)};
+    return true;
+  }
+  template <size_t kSamples>
+  static I words_of_samples(I colours) {
+    static_assert(kSamples == 8);
+    const __m128i word = _mm_shuffle_epi32(_mm_packus_epi16(colours.l, colours.l), 0);
+    return {word, word};
+  }
+  // With what fill_samples.h needs to find a row's pixels.
+  struct Crossings {
+    __m128 v;
+  };
+  static Crossings load_crossings(const float* p) { return {_mm_loadu_ps(p)}; }
+  static Crossings sum(Crossings a, Crossings b) { return {_mm_add_ps(a.v, b.v)}; }
+  static Crossings least_crossings(int32_t width) {
+    return {_mm_setr_ps(-1.0F, static_cast<float>(1 - width), 0.0F, 0.0F)};
+  }
+  static void pixels_between(Crossings a, Crossings least, int32_t& first, int32_t& minus_last) {
+    const __m128 greater = _mm_max_ps(_mm_max_ps(a.v, _mm_movehl_ps(a.v, a.v)), least.v);
+    const __m128 held = _mm_min_ps(greater, _mm_setr_ps(64.0F, 1.0F, 0.0F, 0.0F));
+    const int64_t both = _mm_cvtsi128_si64(_mm_cvttps_epi32(_mm_add_ps(held, _mm_setr_ps(1.0F, 0.0F, 0.0F, 0.0F))));
+    first = static_cast<int32_t>(both);
+    minus_last = static_cast<int32_t>(both >> 32);
+  }
+  template <size_t kSamples>
+  static auto sample_lanes() {
+    if constexpr (kSamples <= 4) {
+      return Sse2Quad{};
+    } else {
+      return Sse2{};
+    }
   }
 
   static F load_2x4(const float* p, size_t stride) { return {_mm_loadu_ps(p), _mm_loadu_ps(p + stride)}; }
@@ -182,7 +371,7 @@ struct Sse2 {
  private:
   static __m128i load4(const void* p) { return _mm_loadu_si128(static_cast<const __m128i*>(p)); }
   static void store4(void* p, __m128i a) { _mm_storeu_si128(static_cast<__m128i*>(p), a); }
-  static I choose(I mask, I yes, I no) { return (mask & yes) | and_not(mask, no); }
+  static I choose(I mask, I yes, I no) { return ((yes ^ no) & mask) ^ no; }
   static void transpose(__m128 r0, __m128 r1, __m128 r2, __m128 r3, __m128& a, __m128& b, __m128& c, __m128& d) {
     const __m128 t0 = _mm_unpacklo_ps(r0, r1);
     const __m128 t1 = _mm_unpackhi_ps(r0, r1);

@@ -12,6 +12,15 @@ struct Resolve {
   using I = typename L::I;
   static constexpr size_t kRowWords = size_t{kTileStride} * kSamples;
 
+  // Eight pixels' words for their samples.
+  static void expand(I pixels, I (&samples)[kSamples]) {
+    if constexpr (kSamples == 1) {
+      samples[0] = pixels;
+    } else {
+      L::template expand<kSamples>(pixels, samples);
+    }
+  }
+
   static F held(F value, float least, float greatest) { return L::min(L::max(value, L::set(least)), L::set(greatest)); }
   // The colours of a general triangle along one row of pixels.
   struct Shader {
@@ -60,7 +69,7 @@ struct Resolve {
         L::store(pixels + column, at<kPerspective>(dx));
         dx = dx + L::set(8.0F * kSubPixels);
         column += 8;
-      } while (column + 8 <= job.width && all_samples(words + column, word));
+      } while (column + 8 <= job.width && all_samples(words + static_cast<size_t>(column) * kSamples, word));
       return column;
     }
   };
@@ -70,7 +79,7 @@ struct Resolve {
     const I wanted = L::set(static_cast<int32_t>(word));
     I differ = L::load(words) ^ wanted;
     for (size_t s = 1; s < kSamples; ++s)
-      differ = differ | (L::load(words + s * kTileStride) ^ wanted);
+      differ = differ | (L::load(words + 8 * s) ^ wanted);
     return L::signs(L::equal(differ, L::set(0))) == 0xFFU;
   }
 
@@ -103,16 +112,17 @@ struct Resolve {
     const I here = L::set(static_cast<int32_t>(kScratchTriangle));
     for (int32_t row = first_row; row <= last_row; ++row) {
       for (int32_t column = first_column; column <= last_column; column += 8) {
-        I colour{};
+        I colours[kSamples]{};
         bool shaded = false;
-        for (size_t s = 0; s < kSamples; ++s) {
-          uint32_t* words = job.buffers.colour + static_cast<size_t>(row) * kRowWords + s * kTileStride + column;
+        uint32_t* words =
+            job.buffers.colour + static_cast<size_t>(row) * kRowWords + static_cast<size_t>(column) * kSamples;
+        for (size_t v = 0; v < kSamples; ++v, words += 8) {
           const I old = L::load(words);
           const I mine = L::equal(old, here);
           if (L::signs(mine) == 0U) continue;
-          if (!shaded) colour = Shader(t, job.y + row).at(job.x + column);
+          if (!shaded) expand(Shader(t, job.y + row).at(job.x + column), colours);
           shaded = true;
-          L::store(words, L::select(mine, colour, old));
+          L::store(words, L::select(mine, colours[v], old));
         }
       }
     }
@@ -137,20 +147,26 @@ struct Resolve {
     return L::template shift_left<16>(level(red)) | L::template shift_left<8>(level(green)) | level(blue);
   }
 
-  static I eight(const TileJob& job, const uint32_t* words, int32_t column, int32_t row) {
-    I samples[kSamples];
-    samples[0] = L::load(words);
-    I open = samples[0];
-    I differ = L::set(0);
-    for (size_t s = 1; s < kSamples; ++s) {
-      samples[s] = L::load(words + s * kTileStride);
-      open = open | samples[s];
-      differ = differ | (samples[s] ^ samples[0]);
+  static I eight(const TileJob& job, const uint32_t* words, int32_t column, int32_t row, bool promised_any) {
+    I pixels;
+    if constexpr (kSamples == 1) {
+      pixels = L::load(words);
+    } else {
+      if (!L::template alike<kSamples>(words, pixels)) return mixed(job, words, column, row, promised_any);
     }
-    const bool alike = kSamples == 1 || L::signs(L::equal(differ, L::set(0))) == 0xFFU;
-    const bool promises = L::signs(open) != 0U;
-    if (alike) return promises ? keep_promises(job, samples[0], job.x + column, job.y + row) : samples[0];
-    if (promises) {
+    return promised_any && L::signs(pixels) != 0U ? keep_promises(job, pixels, job.x + column, job.y + row) : pixels;
+  }
+  // Eight pixels of which some have samples that differ.
+  static I mixed(const TileJob& job, const uint32_t* words, int32_t column, int32_t row, bool promised_any) {
+    if constexpr (L::kAveragedSamples == kSamples) {
+      if (!promised_any) return L::average(words);
+    }
+    I samples[kSamples];
+    L::template split<kSamples>(words, samples);
+    I open = samples[0];
+    for (size_t s = 1; s < kSamples; ++s)
+      open = open | samples[s];
+    if (L::signs(open) != 0U) {
       for (I& sample : samples)
         sample = keep_promises(job, sample, job.x + column, job.y + row);
     }
@@ -167,6 +183,19 @@ struct Resolve {
         L::store(pixels + column, L::load(words + column));
       for (; column < job.width; ++column)
         pixels[column] = words[column];
+    }
+  }
+
+  // With several.
+  static void unpromised(const TileJob& job) {
+    uint32_t* pixels = job.pixels;
+    const uint32_t* words = job.buffers.colour;
+    for (int32_t row = 0; row < job.height; ++row, pixels += job.pixel_stride, words += kRowWords) {
+      const auto samples_at = [words](int32_t column) { return words + static_cast<size_t>(column) * kSamples; };
+      int32_t column = 0;
+      for (; column + 8 <= job.width; column += 8)
+        L::store(pixels + column, eight(job, samples_at(column), column, row, false));
+      if (column < job.width) store_pixels(job, pixels, column, eight(job, samples_at(column), column, row, false));
     }
   }
 
@@ -201,7 +230,7 @@ struct Resolve {
 
   /// `promised_any`: whether there may be promises or owners.
   static void run(const TileJob& job, bool promised_any) {
-    if (kSamples == 1 && !promised_any) return copy(job);
+    if (!promised_any) return kSamples == 1 ? copy(job) : unpromised(job);
     uint32_t* pixels = job.pixels;
     const uint32_t* words = job.buffers.colour;
     for (int32_t row = 0; row < job.height; ++row, pixels += job.pixel_stride, words += kRowWords) {
@@ -213,9 +242,10 @@ struct Resolve {
           continue;
         }
         if (column + 8 > job.width) break;
-        const uint32_t word = words[column];
-        if ((word & kGeneralTriangle) == 0U || !all_samples(words + column, word)) {
-          L::store(pixels + column, eight(job, words + column, column, row));
+        const uint32_t word = words[static_cast<size_t>(column) * kSamples];
+        if ((word & kGeneralTriangle) == 0U || !all_samples(words + static_cast<size_t>(column) * kSamples, word)) {
+          L::store(pixels + column,
+                   eight(job, words + static_cast<size_t>(column) * kSamples, column, row, promised_any));
           column += 8;
           continue;
         }
@@ -226,7 +256,7 @@ struct Resolve {
       }
       if (column >= job.width) continue;
       uint32_t lanes[8];
-      L::store(lanes, eight(job, words + column, column, row));
+      L::store(lanes, eight(job, words + static_cast<size_t>(column) * kSamples, column, row, promised_any));
       for (int32_t i = 0; column + i < job.width; ++i)
         pixels[column + i] = lanes[i];
     }

@@ -8,8 +8,28 @@
 
 namespace auslan::raster {
 
+/// Colours of eight triangles: fixed-point numbers with kLevelBits fraction bits, plus half a level, that wrap at 16
+/// bits. With one sample what is seen lies between 0 and 255 levels and is off by less than half a level, so it fits.
 template <size_t kSamples>
-struct SmallGroup {
+struct GroupColours {
+  // With several samples a pixel's centre may lie beside the triangle; less 128 levels there is as much room below as
+  // above. Blue, green, red and a fourth channel, for which only kStandInColour has a use.
+  static constexpr int32_t kLess = 128 << kLevelBits;
+  using Colours = int32_t[8][2];
+  alignas(32) Colours colour, colour_x, colour_y, colour_least, colour_greatest;
+};
+template <>
+struct GroupColours<1> {
+  static constexpr int32_t kLess = 0;
+  struct Colours {
+    int32_t blue_red[8];  ///< blue in the low halves
+    int32_t green[8];     ///< in the low halves, twice the number, so that its byte needs no shift
+  };
+  Colours colour, colour_x, colour_y;
+};
+
+template <size_t kSamples>
+struct SmallGroup : GroupColours<kSamples> {
   // The part of the box that lies in the tile. Its first pixel is the corner: edges and colours, which are whole
   // numbers, start there without a change; depth is counted from the anchor, the first pixel of the whole box.
   int32_t place[8];           ///< of the corner in the tile's buffers, from the tile's first pixel
@@ -24,23 +44,15 @@ struct SmallGroup {
   int32_t start[3][8];  ///< the greatest of the samples' starts
   /// Depth at pixel (i, j) from the anchor is (depth + j * depth_y) + i * depth_x.
   float depth[8], depth_x[8], depth_y[8];
-  // Blue, green, red, and nothing: fixed-point numbers with kLevelBits fraction bits, plus half a level, less kLess.
-  // They wrap at 16 bits. With one sample what is seen lies between 0 and 255 levels and is off by less than half a
-  // level, so it fits. With several a pixel's centre may lie beside the triangle; less 128 levels there is as much room
-  // below as above.
-  static constexpr int32_t kLess = kSamples == 1 ? 0 : 128 << kLevelBits;
-  // With one sample green is twice that, so that its byte needs no shift.
-  static constexpr int kGreenShift = kSamples == 1 ? 1 : 0;
-  struct Colours {
-    int32_t blue_red[8];  ///< blue in the low halves
-    int32_t green[8];     ///< in the low halves
-  };
-  Colours colour, colour_x, colour_y;
-
-  // Used with several samples only, where a pixel's centre may lie beside the triangle.
-  int32_t below[kSamples][3][8];    ///< a sample's start less the greatest
-  float sample_depth[kSamples][8];  ///< a sample's depth less its pixel centre's
-  Colours colour_least, colour_greatest;
+  // Used with several samples only, where a pixel's centre may lie beside the triangle. A triangle's samples stand
+  // together.
+  alignas(32) int32_t sample_start[3][8][kSamples];
+  alignas(32) float sample_depth[8][kSamples];  ///< a sample's depth less its pixel centre's
+  // Where the edges cross a row of pixels, in pixels from the corner, with room for all rounding. Of a triangle: two
+  // edges that shut out what lies left of them, first and third (both the same one if there is one), and two that shut
+  // out what lies right, the distance negative.
+  alignas(32) float crossing[8][4];
+  alignas(32) float crossing_down[8][4];  ///< what is added from row to row
 };
 
 template <class L, size_t kSamples>
@@ -120,6 +132,7 @@ struct SetUp {
     // Edges from each corner to the next. Clockwise with y down: a left edge runs up, a top edge is level, to the
     // right.
     I ab[3];
+    [[maybe_unused]] Crossings crossings;
     I whole_x[3], whole_y[3];
     for (size_t c = 0; c < 3; ++c) {
       whole_x[c] = L::truncate(x[c]);
@@ -146,8 +159,11 @@ struct SetUp {
         for (size_t s = 1; s < kSamples; ++s)
           highest = L::max(highest, start[s]);
         L::store(out.start[e], highest);
+        F words[kSamples];
         for (size_t s = 0; s < kSamples; ++s)
-          L::store(out.below[s][e], start[s] - highest);
+          words[s] = L::from_bits(start[s]);
+        store_together(words, reinterpret_cast<float*>(out.sample_start[e]));
+        crossings.set(e, rise, dx, highest);
       }
     }
 
@@ -200,7 +216,10 @@ struct SetUp {
                         L::min16(L::min16(red[0], red[1]), red[2])};
     const I greatest[2] = {L::max16(L::max16(blue_green[0], blue_green[1]), blue_green[2]),
                            L::max16(L::max16(red[0], red[1]), red[2])};
-    if constexpr (kSamples > 1) store_ranges(depth_x, depth_y, least, greatest, out);
+    if constexpr (kSamples > 1) {
+      crossings.store(out);
+      store_ranges(depth_x, depth_y, least, greatest, out);
+    }
 
     // Taking a colour that spreads over D levels as affine, with 1/w between q and Q, is off by at most
     // D * (sqrt(Q/q) - 1) / (sqrt(Q/q) + 1) < D * (Q - q) / (4 q) levels.
@@ -216,22 +235,74 @@ struct SetUp {
     return L::signs(perspective | sliver | steep);
   }
 
+  // A lane's samples side by side.
+  static void store_together(const F (&samples)[kSamples], float* out) {
+    if constexpr (kSamples == 2) {
+      L::scatter_pairs(out, samples[0], samples[1]);
+    } else if constexpr (kSamples == 4) {
+      L::scatter_quads(out, samples[0], samples[1], samples[2], samples[3]);
+    } else {
+      for (size_t s = 0; s < kSamples; ++s) {
+        float lanes[8];
+        L::store(lanes, samples[s]);
+        for (size_t i = 0; i < 8; ++i)
+          out[i * kSamples + s] = lanes[i];
+      }
+    }
+  }
+  // Where edges cross the rows. An edge value at pixel i of row j is v + j * b + i * a, whole numbers, so that it is
+  // not negative just where v + j * b + 1/2 + i * a is positive; with 2^-6 more for a, which is never 0 then, it can
+  // only be where it was before, as i is not negative. Each row's number is the last one's plus a step. |v| <= 122 (|a|
+  // + |b|) + 1, so that rounding in all of this adds up to less than 2^-10 (1 + |step|), which is allowed for.
+  struct Crossings {
+    F at[3], step[3];
+    I rises[3];
+
+    void set(size_t e, I a, I b, I v) {
+      rises[e] = L::greater(a, L::set(-1));
+      const F inverse = L::set(-1.0F) / magnitude(L::to_float(a) + L::set(1.0F / 64.0F));
+      step[e] = L::to_float(b) * inverse;
+      at[e] = (L::to_float(v) + L::set(0.5F)) * inverse - (magnitude(step[e]) + L::set(1.0F)) * L::set(1.0F / 1024.0F);
+    }
+    void store(SmallGroup<kSamples>& out) const {
+      store(at, out.crossing);
+      store(step, out.crossing_down);
+    }
+    // One or two of the three rise.
+    void store(const F (&of)[3], float (&out)[8][4]) const {
+      const F left_0 = L::select(rises[0], of[0], L::select(rises[2], of[2], of[1]));
+      const F left_1 = L::select(rises[1], of[1], L::select(rises[2], of[2], of[0]));
+      const F right_0 = L::select(rises[0], L::select(rises[2], of[1], of[2]), of[0]);
+      const F right_1 = L::select(rises[1], L::select(rises[2], of[0], of[2]), of[1]);
+      L::scatter_quads(out[0], left_0, right_0, left_1, right_1);
+    }
+  };
+
   static void store_colours(const I (&blue_green_red)[3], typename SmallGroup<kSamples>::Colours& out) {
-    L::store(out.blue_red, L::pair(blue_green_red[0], blue_green_red[2]));
-    L::store(out.green, L::template shift_left<SmallGroup<kSamples>::kGreenShift>(blue_green_red[1]));
+    if constexpr (kSamples == 1) {
+      L::store(out.blue_red, L::pair(blue_green_red[0], blue_green_red[2]));
+      L::store(out.green, L::template shift_left<1>(blue_green_red[1]));
+    } else {
+      store_channels(L::pair(blue_green_red[0], blue_green_red[1]), low_half(blue_green_red[2]), out);
+    }
+  }
+  static void store_channels(I blue_green, I red, int32_t (&out)[8][2]) {
+    L::scatter_pairs(reinterpret_cast<float*>(out[0]), L::from_bits(blue_green), L::from_bits(red));
   }
   static void store_ranges(F depth_x, F depth_y, const I (&least)[2], const I (&greatest)[2],
                            SmallGroup<kSamples>& out) {
+    F depth[kSamples];
     for (size_t s = 0; s < kSamples; ++s) {
       constexpr float kPixel = 1.0F / static_cast<float>(kSubPixels);
-      L::store(out.sample_depth[s], L::set(static_cast<float>(Pattern::kX[s]) * kPixel) * depth_x +
-                                        L::set(static_cast<float>(Pattern::kY[s]) * kPixel) * depth_y);
+      depth[s] = L::set(static_cast<float>(Pattern::kX[s]) * kPixel) * depth_x +
+                 L::set(static_cast<float>(Pattern::kY[s]) * kPixel) * depth_y;
     }
+    store_together(depth, out.sample_depth[0]);
+    // What holds the fourth channel at 0, whatever it is before.
+    const I nothing = L::set(packed(0, -SmallGroup<kSamples>::kLess));
     const I bias = L::set(packed(kColourBias, kColourBias));
-    const auto store = [bias](const I(&levels)[2], typename SmallGroup<kSamples>::Colours& colours) {
-      const I blue_green = L::add16(levels[0], bias);
-      L::store(colours.blue_red, L::pair(blue_green, L::add16(levels[1], bias)));
-      L::store(colours.green, high_half(blue_green));
+    const auto store = [=](const I(&levels)[2], int32_t(&colours)[8][2]) {
+      store_channels(L::add16(levels[0], bias), low_half(L::add16(levels[1], bias)) | nothing, colours);
     };
     store(least, out.colour_least);
     store(greatest, out.colour_greatest);

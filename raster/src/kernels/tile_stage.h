@@ -3,6 +3,7 @@
 #pragma once
 
 #include "fill_general.h"
+#include "fill_samples.h"
 #include "fill_small.h"
 #include "fill_textured.h"
 #include "kernel.h"
@@ -26,11 +27,12 @@ struct TileStage {
     const auto nothing = L::set(0.0F);
     uint32_t* colour = job.buffers.colour;
     float* depth = job.buffers.depth;
-    const size_t rows = static_cast<size_t>(job.height) * kSamples;
-    for (size_t row = 0; row < rows; ++row, colour += kTileStride, depth += kTileStride) {
-      for (size_t i = 0; i < kTileWidth; i += 8) {
-        L::store(colour + i, background);
-        L::store(depth + i, nothing);
+    for (int32_t row = 0; row < job.height; ++row, colour += kRowWords, depth += kRowWords) {
+      for (size_t i = 0; i < kTileWidth * kSamples; i += 32) {
+        for (size_t k = i; k < i + 32; k += 8) {
+          L::store(colour + k, background);
+          L::store(depth + k, nothing);
+        }
       }
     }
     set_cells(job.buffers.cell_least, 0.0F);
@@ -44,6 +46,14 @@ struct TileStage {
     bool promised = false;
     bool owned = false;  ///< cells may have owners
   };
+
+  static void fill_small(const TileBuffers& buffers, const SmallGroup<kSamples>& group, size_t i) {
+    if constexpr (kSamples == 1) {
+      FillSmall<L>::run(buffers, group, i);
+    } else {
+      FillSamples<L, kSamples>::run(buffers, group, i);
+    }
+  }
 
   // Up to eight entries; there is room for eight.
   static void fill_eight(const TileJob& job, const SmallTriangle* small, const uint32_t* entry, size_t count,
@@ -68,7 +78,7 @@ struct TileStage {
     const uint32_t long_path = general | with_care;
     for (size_t i = 0; i < count; ++i) {
       if ((long_path >> i & 1U) == 0U) {
-        FillSmall<L, kSamples>::run(job.buffers, group, i);
+        fill_small(job.buffers, group, i);
       } else if ((general >> i & 1U) != 0U) {
         fill_large(job, entry[i], state);
       } else {
