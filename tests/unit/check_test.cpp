@@ -61,6 +61,23 @@ class Check : public ::testing::Test {
     return {skin.position + origin, skin.normal};
   }
 
+  /// A hand with a point of it at a place, its arm within the limits of its joints: as near to `shown_` as they allow.
+  HandState at(const Vec3& point, const Vec3& place) const {
+    const Skeleton& skeleton = shipped().figure.skeleton;
+    const Vec3 parent = skeleton.rest_position(skeleton.node(skeleton.find("shoulder_r")).parent);
+    HandState state = shown_;
+    double least = 1e9;
+    for (double swivel = -60.0; swivel <= 150.0; swivel += 5.0) {
+      const auto reached =
+          shipped().signer->reach(Side::kRight).reach(shown_.wrist.rotation, point, place - parent, swivel * kDegree);
+      if (reached.lean + 10.0 * reached.excess >= least) continue;
+      least = reached.lean + 10.0 * reached.excess;
+      state.wrist = {reached.wrist.rotation, reached.wrist.position + parent};
+      state.swivel = swivel * kDegree;
+    }
+    return state;
+  }
+
   Checker checker_;
   HandState shown_;
   std::array<HandState, 2> low_;
@@ -97,15 +114,10 @@ TEST_F(Check, AHandInTheHeadIsAsDeepAsItWasPut) {
 TEST_F(Check, TouchingPartsMayPressWhereTheEntrySaysSo) {
   const Site chin = shipped().signer->body().site(Location::kChin, Side::kRight, Vec3(0.0), true);
   HandState state = shown_;
-  state.wrist.rotation =
-      orient_hand(shipped().signer->hand_frame(Side::kRight), Vec3(0.8, 0.5, -0.5), Vec3(0.5, -0.8, 0.0));
   const Vec3 tip = shipped().signer->hand(Side::kRight).site(HandPart::kMiddleTip, state.angles).position;
   Score score = score_of_states({state, state}, 0.2);
   const auto put = [&](double deep) {
-    state.wrist.position = chin.position - chin.normal * deep - state.wrist.rotation * tip;
-    const Skeleton& skeleton = shipped().figure.skeleton;
-    const int parent = skeleton.node(skeleton.find("shoulder_r")).parent;
-    state.swivel = natural_swivel(skeleton, Side::kRight, {kIdentity, skeleton.rest_position(parent)}, state.wrist);
+    state = at(tip, chin.position - chin.normal * deep);
     score.hands[1].front().from = score.hands[1].front().to = state;
     HandTarget target;
     target.begin = ticks(0.05);
@@ -116,12 +128,12 @@ TEST_F(Check, TouchingPartsMayPressWhereTheEntrySaysSo) {
     score.targets[1] = {target};
     return checker_.check(score);
   };
-  EXPECT_NEAR(put(0.002).of(Measure::kContact)->value, 2.0, 1.0);
+  EXPECT_NEAR(put(0.002).of(Measure::kContact)->value, 2.0, 1.5);
   EXPECT_NEAR(put(-0.008).of(Measure::kContact)->value, 8.0, 1.5);
   EXPECT_TRUE(put(-0.008).good(Measure::kPenetration));
   const Verdict pressed = put(0.012);
   ASSERT_TRUE(pressed.of(Measure::kPressing));
-  EXPECT_NEAR(pressed.of(Measure::kPressing)->value, 12.0, 3.0);
+  EXPECT_NEAR(pressed.of(Measure::kPressing)->value, 12.0, 5.0);
 }
 
 TEST_F(Check, DirectionsAndHoldsAreThoseOfTheTarget) {
@@ -230,7 +242,7 @@ TEST_F(Check, ANearHandKeepsItsDistance) {
   const Vec3 part = shipped().signer->hand(Side::kRight).site(HandPart::kPalm, state.angles).position;
   Score score = score_of_states({state, state}, 0.2);
   const auto miss = [&](double distance) {
-    state.wrist.position = chest.position + chest.normal * distance - state.wrist.rotation * part;
+    state = at(part, chest.position + chest.normal * distance);
     score.hands[1].front().from = score.hands[1].front().to = state;
     HandTarget target;
     target.begin = target.end = ticks(0.1);
@@ -250,8 +262,7 @@ TEST_F(Check, AContactIsApproachedFromWithout) {
   const Site chest = chest_skin();
   const Vec3 part = shipped().signer->hand(Side::kRight).site(HandPart::kPalm, shown_.angles).position;
   const auto angle = [&](const Vec3& from) {
-    HandState touching = shown_;
-    touching.wrist.position = chest.position - touching.wrist.rotation * part;
+    const HandState touching = at(part, chest.position);
     HandState before = touching;
     before.wrist.position += from;
     Score score = score_of_states({before, touching}, 0.3);

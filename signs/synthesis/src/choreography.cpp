@@ -141,7 +141,7 @@ Way Choreographer::way_to(size_t side, HandSegment wanted, const HandSegment* ot
   const auto with = [&](const std::optional<Quat>& turn_middle) {
     wanted.turn_middle = turn_middle;
     Way way = find_way(signer_, hand, wanted, other);
-    way.seconds = std::max(way.seconds, shortest_seconds(signer_, hand, way.segment));
+    way.seconds = shortest_seconds(signer_, hand, way.segment);
     return way;
   };
   Way way = with(turn_through_joints(signer_, hand, wanted));
@@ -244,8 +244,8 @@ void Choreographer::add_beats(const SignPerformance& performance, const Unit& un
       segments[side].turn_middle = turn_through_joints(signer_, hand, segments[side]);
       HandSegment left = segments[kLeft];
       if (!performance.active[kLeft]) left.from = left.to = hand_[kLeft];
-      keep_clear(signer_, hand, segments[side], side == kRight && raised_[kLeft] ? &left : nullptr);
-      least = std::max({least, shortest_seconds(signer_, hand, segments[side]), seconds_of_wrist(segments[side])});
+      keep_clear(signer_, hand, segments[side], side == kRight && performance.active[kLeft] ? &left : nullptr);
+      least = std::max(least, shortest_seconds(signer_, hand, segments[side]));
     }
     const Tick begin = now_;
     const Tick end = begin + paced(beat.seconds, least);

@@ -165,11 +165,15 @@ void SignBuilder::place_phases() {
     if (alone.contact &&
         (is_on_other_hand(alone.location) || (alone.contact->target && is_on_other_hand(*alone.contact->target))))
       alone.contact.reset();
-    base_.push_back(signer_.place(alone, shape(posture), Side::kLeft, {&waiting_[kRight], false}));
+    OtherHand nobody;
+    if (i > 0) nobody.shift = base_.front().shift;
+    base_.push_back(signer_.place(alone, shape(posture), Side::kLeft, nobody));
   }
   for (size_t i = 0; i < phases; ++i) {
     const Posture& posture = sign_.dominant[i];
-    OtherHand other{has_base_ ? &base_[i].state : &waiting_[kLeft], mirrored_};
+    OtherHand other{has_base_ ? &base_[i].state : &waiting_[kLeft], mirrored_, has_base_, std::nullopt};
+    // A hand that keeps a place beside the base gives way as the base does.
+    if (i > 0) other.shift = dominant_.front().shift;
     dominant_.push_back(signer_.place(posture, shape(posture), Side::kRight, other));
   }
 }

@@ -29,11 +29,11 @@ constexpr double kPresses = 0.0012, kKeepsOff = 0.0015;
 constexpr double kPreferredSwivel = 25.0 * kDegree, kLowestSwivel = -60.0 * kDegree, kHighestSwivel = 150.0 * kDegree;
 constexpr int kSwivels = 15;
 constexpr double kFreeLean = 2.0 * kDegree, kTrueLean = 20.0 * kDegree;
-constexpr double kLeanCost = 36.0, kFarLeanCost = 200.0, kExcessCost = 2000.0, kOffCost = 1e4, kDepthCost = 1e5;
+constexpr double kLeanCost = 100.0, kFarLeanCost = 400.0, kExcessCost = 2000.0, kOffCost = 1e4, kDepthCost = 1e5;
 constexpr double kContactLean = 12.0 * kDegree;
 constexpr double kComesFrom = 0.03, kWell = 0.002;
 constexpr size_t kAllPoints = 1000;
-constexpr double kShiftCost = 250.0, kLargestShift = 0.1;  // of a hand in the air; per square metre, metres
+constexpr double kShiftCost = 1000.0, kLargestShift = 0.1;  // of a hand in the air; per square metre, metres
 
 /// The part that a hand touches with where the entry does not say: a pointing hand its tip, a broad one the palm when
 /// that faces the place, else the fingertips.
@@ -244,7 +244,7 @@ PlacedHand Signer::place(const Posture& posture, const Handshape& handshape, Sid
   // Where the hands are each other's images the other one is kept out by the plane between them.
   const bool meets_hand = is_on_other_hand(location) || on_arm;
   std::vector<Obstacle> obstacles = body_obstacles(placed.touching && !meets_hand);
-  if (counterpart.state != nullptr && !counterpart.mirrored)
+  if (counterpart.state != nullptr && !counterpart.mirrored && (meets_hand || counterpart.acts))
     add_other_arm(other(side), *counterpart.state, placed.touching && meets_hand, obstacles);
   const double outside = side == Side::kRight ? -1.0 : 1.0;
   std::optional<MirrorPlane> mirror;
@@ -252,8 +252,11 @@ PlacedHand Signer::place(const Posture& posture, const Handshape& handshape, Sid
     mirror = MirrorPlane{outside, placed.touching && meets_hand ? kPresses / 2.0 : -kKeepsOff,
                          placed.touching && meets_hand};
 
-  Wish wish{state.wrist.rotation, local.position, site.position, !contact};
-  settle(side, wish, obstacles, state);
+  Wish wish{state.wrist.rotation, local.position, site.position, !contact && !counterpart.shift};
+  if (!contact && counterpart.shift) wish.target += *counterpart.shift;
+  placed.shift = settle(side, wish, obstacles, state);
+  const Vec3 target = wish.target + placed.shift;
+  if (counterpart.shift) placed.shift = *counterpart.shift;
   const std::vector<SurfacePatch> patches = hand_patches(side, state.angles, kAllPoints);
   std::vector<Vec3> touching;
   if (placed.touching) touching = region(part, local, patches);
@@ -287,7 +290,7 @@ PlacedHand Signer::place(const Posture& posture, const Handshape& handshape, Sid
   // from where it is wanted.
   const double free_lean =
       std::max(kContactLean, angle_between(wish.rotation, state.wrist.rotation) + 0.5 * kContactLean);
-  const HandFitGoal goal{wish.rotation, free_lean, local.position, site.position, touching, obstacles, mirror, admit};
+  const HandFitGoal goal{wish.rotation, free_lean, local.position, target, touching, obstacles, mirror, admit};
   Transform outside_it = state.wrist;
   if (placed.touching) outside_it.position += site.normal * kComesFrom;
   HandFit fit = fit_hand(outside_it, state.swivel, patches, goal);
@@ -301,7 +304,7 @@ PlacedHand Signer::place(const Posture& posture, const Handshape& handshape, Sid
   return placed;
 }
 
-void Signer::settle(Side side, const Wish& wish, std::span<const Obstacle> obstacles, HandState& state) const {
+Vec3 Signer::settle(Side side, const Wish& wish, std::span<const Obstacle> obstacles, HandState& state) const {
   const ArmReach& arm = reach_[static_cast<size_t>(side)];
   const Vec3& parent = parent_[static_cast<size_t>(side)];
   constexpr int kCoarse = 3, kFine = 8;  // rounds
@@ -378,6 +381,7 @@ void Signer::settle(Side side, const Wish& wish, std::span<const Obstacle> obsta
   }
   state.wrist = best.wrist;
   state.swivel = best.swivel;
+  return shift;
 }
 
 double Signer::strain(Side side, const HandState& state) const {

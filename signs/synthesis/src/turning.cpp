@@ -22,7 +22,8 @@ constexpr double kNoTurn = 1e-3;
 ArmSolution arm_of(const Signer& signer, Side side, const HandState& state) {
   const Skeleton& skeleton = signer.figure().skeleton;
   const int parent = skeleton.node(arm_nodes(skeleton, side).shoulder).parent;
-  return solve_arm(skeleton, side, {kIdentity, skeleton.rest_position(parent)}, state.wrist, state.swivel);
+  return signer.reach(side).limited(
+      solve_arm(skeleton, side, {kIdentity, skeleton.rest_position(parent)}, state.wrist, state.swivel));
 }
 
 JointAngles middle(const JointAngles& a, const JointAngles& b) {
@@ -48,7 +49,10 @@ double seconds_by_steps(const Signer& signer, Side side, const HandSegment& segm
   second.begin = 0;
   second.end = kTicksPerSecond;
   ArmSolution before = arm_of(signer, side, segment.from);
-  Vec3 place = segment.from.wrist.position;
+  // Where the wrist truly is: the limits of the joints may keep it from its path.
+  const ArmNodes nodes = arm_nodes(skeleton, side);
+  const Vec3 upper = skeleton.node(nodes.elbow).offset, fore = skeleton.node(nodes.wrist).offset;
+  const auto place_of = [&](const ArmSolution& arm) { return arm.shoulder * (upper + arm.elbow * fore); };
   Pose hand_before, hand_now;
   if (with_digits) {
     hand_before = hand_now = rest_pose(skeleton);
@@ -58,12 +62,11 @@ double seconds_by_steps(const Signer& signer, Side side, const HandSegment& segm
   for (int i = 1; i <= steps; ++i) {
     const HandState state = state_at(second, kTicksPerSecond * i / steps);
     const ArmSolution now = arm_of(signer, side, state);
-    const Vec3 way = state.wrist.position - place;
+    const Vec3 way = place_of(now) - place_of(before);
     needed = std::max({needed, angle_between(before.shoulder, now.shoulder) * steps / joint_speed::kShoulder,
                        angle_between(before.elbow, now.elbow) * steps / joint_speed::kElbow,
                        angle_between(before.wrist, now.wrist) * steps / joint_speed::kWrist,
                        std::sqrt(glm::dot(way, way)) * steps / joint_speed::kWristInSpace});
-    place = state.wrist.position;
     before = now;
     if (!with_digits) continue;
     pose_hand(skeleton, side, state.angles, hand_now);

@@ -15,7 +15,6 @@ constexpr int kSamples = 8;
 // Depths count from a little above the surface.
 constexpr double kTolerated = 0.0025, kRoom = 0.003;  // metres
 constexpr double kFarthest = 0.36;                    // that a path is bent, metres
-constexpr double kFastest = 3.6;                      // of a wrist, metres a second; the limit of the project is 4
 
 /// One hand on its way, and what the other does meanwhile.
 struct Journey {
@@ -97,19 +96,6 @@ void swing_out(const Signer& signer, Side side, HandSegment& segment) {
   segment.swivel_bulge = best;
 }
 
-/// The greatest speed of the wrist when the way takes a second, metres a second.
-double peak_speed(const HandSegment& segment) {
-  constexpr int kSteps = 32;
-  double peak = 0.0;
-  Vec3 before = segment.from.wrist.position;
-  for (int i = 1; i <= kSteps; ++i) {
-    const Vec3 now = state_after(segment, static_cast<double>(i) / kSteps).wrist.position;
-    peak = std::max(peak, std::sqrt(glm::dot(now - before, now - before)) * kSteps);
-    before = now;
-  }
-  return peak;
-}
-
 }  // namespace
 
 Way find_way(const Signer& signer, Side side, const HandSegment& wanted, const HandSegment* other) {
@@ -118,7 +104,6 @@ Way find_way(const Signer& signer, Side side, const HandSegment& wanted, const H
   way.segment.begin = 0;
   way.segment.end = kTicksPerSecond;
   way.depth = keep_clear(signer, side, way.segment, other);
-  way.seconds = seconds_of_wrist(way.segment);
   return way;
 }
 
@@ -128,10 +113,6 @@ double keep_clear(const Signer& signer, Side side, HandSegment& segment, const H
   const double depth = bend_out({signer, side, segment, other});
   swing_out(signer, side, segment);
   return depth;
-}
-
-double seconds_of_wrist(const HandSegment& segment) {
-  return peak_speed(segment) / kFastest;
 }
 
 }  // namespace auslan

@@ -8,7 +8,7 @@
 
 namespace auslan {
 
-/// A segment without times, and how long it takes at least.
+/// A segment without times, and how long the arm takes for it at least.
 struct Way {
   HandSegment segment;
   double seconds = 0;
@@ -22,8 +22,5 @@ Way find_way(const Signer& signer, Side side, const HandSegment& wanted, const H
 
 /// The same for a path that an entry prescribes: bends it as little as it takes. Returns the depth that is left.
 double keep_clear(const Signer& signer, Side side, HandSegment& segment, const HandSegment* other);
-
-/// How long a segment takes at least for its wrist not to be faster than people's.
-double seconds_of_wrist(const HandSegment& segment);
 
 }  // namespace auslan

@@ -36,12 +36,17 @@ struct PlacedHand {
   Vec3 normal{0.0, 0.0, 1.0};  ///< outward normal of the surface that is touched, or of the palm's facing in the air
   Vec3 part{0.0};              ///< what is brought to the place, or touches there, in the wrist's frame
   Location location = Location::kNeutral;  ///< the posture's, or the finer one that its contact names
+  Vec3 shift{0.0};                         ///< by which a hand in the air gave way to the direction, metres
 };
 
 /// What a posture is placed against.
 struct OtherHand {
   const HandState* state = nullptr;  ///< null: the other hand is not there
   bool mirrored = false;             ///< the other hand is the mirror image of this one: they meet in the middle plane
+  bool acts = false;                 ///< it has postures of its own, and is to be kept clear of
+  /// By how much the sign's first posture gave way, metres: the later ones give way alike, so that paths keep their
+  /// form. None: this is the first.
+  std::optional<Vec3> shift;
 };
 
 /// How deep something lies in the body, and the way out.
@@ -100,8 +105,10 @@ class Signer {
     Vec3 pivot{0.0}, target{0.0};  ///< the part of the hand (wrist frame), and where it is to be
     bool free = false;             ///< in the air: the place may give way to the direction
   };
-  /// The elbow's place and the hand's lean for which the limits of the arm and the room for the forearm ask.
-  void settle(Side side, const Wish& wish, std::span<const Obstacle> obstacles, HandState& state) const;
+
+  /// The elbow's place and the hand's lean for which the limits of the arm and the room for the forearm ask. Returns by
+  /// how much the place gave way, metres.
+  Vec3 settle(Side side, const Wish& wish, std::span<const Obstacle> obstacles, HandState& state) const;
   /// Radians by which an arm has to break its limits for a wrist to be there.
   double strain(Side side, const HandState& state) const;
   Depth coarse_depth(Side side, const HandState& state, std::span<const Obstacle> obstacles) const;
