@@ -27,9 +27,11 @@ constexpr double kPresses = 0.0012, kKeepsOff = 0.0015;
 // and more from where it is nearly half way to another of the 26 directions. Of a forearm in the body, 3 mm cost as
 // much as a radian of swivel.
 constexpr double kPreferredSwivel = 25.0 * kDegree, kLowestSwivel = -60.0 * kDegree, kHighestSwivel = 150.0 * kDegree;
+// An elbow farther than this from where it likes to be is seen to be raised.
+constexpr double kEasySwivel = 45.0 * kDegree, kRaisedCost = 10.0;
 constexpr int kSwivels = 15;
 constexpr double kFreeLean = 2.0 * kDegree, kTrueLean = 20.0 * kDegree;
-constexpr double kLeanCost = 100.0, kFarLeanCost = 400.0, kExcessCost = 2000.0, kOffCost = 1e4, kDepthCost = 1e5;
+constexpr double kLeanCost = 36.0, kFarLeanCost = 300.0, kExcessCost = 2000.0, kOffCost = 1e4, kDepthCost = 1e5;
 constexpr double kContactLean = 12.0 * kDegree;
 constexpr double kComesFrom = 0.03, kWell = 0.002;
 constexpr size_t kAllPoints = 1000;
@@ -318,7 +320,8 @@ Vec3 Signer::settle(Side side, const Wish& wish, std::span<const Obstacle> obsta
     Candidate candidate{swivel, 0.0, {reached.wrist.rotation, reached.wrist.position + parent}};
     const double away = swivel - kPreferredSwivel, lean = std::max(0.0, reached.lean - kFreeLean),
                  far = std::max(0.0, reached.lean - kTrueLean);
-    candidate.cost = away * away + kLeanCost * lean * lean + kFarLeanCost * far * far +
+    const double raised = std::max(0.0, std::abs(away) - kEasySwivel);
+    candidate.cost = away * away + kRaisedCost * raised * raised + kLeanCost * lean * lean + kFarLeanCost * far * far +
                      kExcessCost * reached.excess * reached.excess + kOffCost * reached.off * reached.off +
                      kShiftCost * glm::dot(shift, shift);
     return candidate;
