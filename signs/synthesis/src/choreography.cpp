@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
 #include <utility>
 
 namespace auslan {
@@ -98,6 +100,9 @@ class Choreographer {
   std::array<HandState, 2> hand_;
   std::array<Vec3, 2> leave_{};
   std::array<bool, 2> raised_{};
+  std::map<std::string, SignPerformance> letters_;                    ///< those that have been spelled, by gloss
+  std::map<std::tuple<std::string, std::string, size_t>, Way> ways_;  ///< from letter to letter, of a hand
+  std::string last_letter_;   ///< the gloss of the last sign, where it was a letter of both hands
   bool left_is_met_ = false;  ///< the sign that has just been laid out touches the base hand or its arm
   std::vector<Span> spans_;   ///< of each unit
 };
@@ -208,7 +213,16 @@ void Choreographer::transition(const SignPerformance& performance, size_t index)
     HandSegment left = ways[kLeft].segment;
     if (!performance.active[kLeft]) left.from = left.to = hand_[kLeft];
     const bool meets = side == kRight && (performance.active[kLeft] || raised_[kLeft]);
-    ways[side] = way_to(side, wanted, meets ? &left : nullptr);
+    // From letter to letter the way is the same each time.
+    const bool between_letters = unit.spelled && !last_letter_.empty() && raised_[kLeft] && performance.active[kLeft];
+    if (!between_letters) {
+      ways[side] = way_to(side, wanted, meets ? &left : nullptr);
+      continue;
+    }
+    const auto key = std::tuple(last_letter_, unit.sign->gloss, side);
+    auto known = ways_.find(key);
+    if (known == ways_.end()) known = ways_.emplace(key, way_to(side, wanted, meets ? &left : nullptr)).first;
+    ways[side] = known->second;
   }
   const Tick right = paced(times[kRight], ways[kRight].seconds);
   const Tick left = performance.active[kLeft] ? paced(times[kLeft], ways[kLeft].seconds) : 0;
@@ -437,9 +451,18 @@ Result<Score> Choreographer::run() {
       continue;
     }
     if (!uses_left(i)) release_left(i);
-    auto performance = perform(signer_, utterance_, unit, hand_);
-    if (!performance) return tl::unexpected(performance.error());
+    // A letter is the same after any other.
+    auto letter = letters_.find(unit.sign->gloss);
+    SignPerformance own;
+    if (!unit.spelled || letter == letters_.end()) {
+      auto made = perform(signer_, utterance_, unit, hand_);
+      if (!made) return tl::unexpected(made.error());
+      own = std::move(*made);
+      if (unit.spelled) letter = letters_.emplace(unit.sign->gloss, own).first;
+    }
+    const SignPerformance* performance = unit.spelled ? &letter->second : &own;
     transition(*performance, i);
+    last_letter_ = unit.spelled && performance->active[kLeft] ? unit.sign->gloss : "";
     const Tick begin = now_;
     add_beats(*performance, unit);
     left_is_met_ = meets_left(i);
