@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the built-in figure's hands reach, with the tables printed: all orientations of the notation before the body,
-// and all named places with all parts of a hand. What is not reached is held against a search through the arm's own
-// angles.
+// and what pinches close. What is not reached is held against a search through the arm's own angles.
 #include "body_solids.h"
 #include "direction.h"
 #include "kinematics/arm_ik.h"
