@@ -4,10 +4,8 @@
 namespace auslan {
 
 FigureTraits Body::traits() const {
-  // Skirts, bags and wide chests of foreign figures give more than a shirt: an elbow that avoided them would stand out.
-  constexpr double kGives = 0.03;
   if (avatar == nullptr) return {};
-  return {.face = avatar->face, .trunk_gives = kGives};
+  return {.face = avatar->face};
 }
 
 Result<Stage> Body::stage(const StageOptions& options) const {

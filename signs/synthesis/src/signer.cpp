@@ -114,9 +114,8 @@ HandState mirrored(const HandState& state) {
   return image;
 }
 
-Signer::Signer(const Figure& figure, const FigureTraits& traits, BodySites body, std::array<HandSites, 2> hands)
+Signer::Signer(const Figure& figure, BodySites body, std::array<HandSites, 2> hands)
     : figure_(&figure),
-      traits_(traits),
       body_(std::move(body)),
       hands_(std::move(hands)),
       surface_(figure),
@@ -143,7 +142,7 @@ Result<Signer> Signer::build(const Figure& figure, const FigureTraits& traits) {
   if (!left) return tl::unexpected(left.error());
   auto right = HandSites::build(figure, Side::kRight);
   if (!right) return tl::unexpected(right.error());
-  return Signer(figure, traits, std::move(*body), {std::move(*left), std::move(*right)});
+  return Signer(figure, std::move(*body), {std::move(*left), std::move(*right)});
 }
 
 ArmPlacement Signer::place_arm(Side side, const HandState& state) const {

@@ -63,8 +63,6 @@ HandState mirrored(const HandState& state);
 /// What a signer cannot tell from a figure's segments.
 struct FigureTraits {
   std::optional<FaceLandmarks> face;  ///< as in BodySites::build
-  /// How deep a forearm may press into the trunk before the elbow gives way, metres: into a shirt.
-  double trunk_gives = 0.012;
 };
 
 class Signer {
@@ -98,7 +96,7 @@ class Signer {
   HandState rest(Side side) const;
 
  private:
-  Signer(const Figure& figure, const FigureTraits& traits, BodySites body, std::array<HandSites, 2> hands);
+  Signer(const Figure& figure, BodySites body, std::array<HandSites, 2> hands);
   /// What is asked of a hand.
   struct Wish {
     Quat rotation = kIdentity;
@@ -128,7 +126,6 @@ class Signer {
                   const Vec3& offset) const;
 
   const Figure* figure_;
-  FigureTraits traits_;
   BodySites body_;
   std::array<HandSites, 2> hands_;
   BodySurface surface_;
