@@ -26,7 +26,6 @@ namespace {
 
 constexpr double kWithin = 5.0;     // degrees of a direction
 constexpr double kInLimits = 0.05;  // degrees, the room that `auslanjam check` leaves
-constexpr double kTouch = 0.003;    // metres
 constexpr double kFarthest = 0.5;   // metres; skin farther away is not looked for
 // What the solver of the hand's place is known to miss though an arm could do it: may become fewer, never more.
 constexpr int kMissedOrientations = 25;  // of each hand, of 208
