@@ -73,18 +73,22 @@ std::string TableReader::text(std::string_view key, Need need) {
     wrong_type(*found, key, "a string");
     return {};
   }
-  const std::string& value = string->get();
+  return plain(*string, key) ? string->get() : std::string();
+}
+
+bool TableReader::plain(const toml::value<std::string>& string, std::string_view key) {
+  const std::string& value = string.get();
   if (value.size() > kMaxTextBytes) {
-    problems_.add(*found,
+    problems_.add(string,
                   what_ + ": " + std::string(key) + " is longer than " + std::to_string(kMaxTextBytes) + " bytes");
-    return {};
+    return false;
   }
   if (std::ranges::any_of(value, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; })) {
-    problems_.add(*found,
+    problems_.add(string,
                   what_ + ": " + std::string(key) + " holds a control character; expected plain text on one line");
-    return {};
+    return false;
   }
-  return value;
+  return true;
 }
 
 int TableReader::integer(std::string_view key, int fallback, int least, int most) {
@@ -150,11 +154,10 @@ std::vector<std::string> TableReader::texts(std::string_view key, Need need) {
   }
   for (const toml::node& element : *array) {
     const auto* string = element.as_string();
-    if (string == nullptr || string->get().empty() || string->get().size() > kMaxTextBytes) {
+    if (string == nullptr || string->get().empty())
       wrong_type(element, key, "an array of strings that are not empty");
-      continue;
-    }
-    values.push_back(string->get());
+    else if (plain(*string, key))
+      values.push_back(string->get());
   }
   return values;
 }

@@ -84,6 +84,8 @@ class TableReader {
 
  private:
   const toml::node* find(std::string_view key, Need need, std::string_view expected);
+  /// Bounded and without control characters; else a problem.
+  bool plain(const toml::value<std::string>& string, std::string_view key);
   void fill_numbers(std::string_view key, Need need, std::span<double> values);
   void wrong_type(const toml::node& node, std::string_view key, std::string_view expected);
 

@@ -66,7 +66,15 @@ void append_element(std::string& out, const WrittenElement& element, int depth) 
   out += ">\n";
 }
 
-void append_utf8(std::string& out, char32_t code) {
+void append_symbol(std::string& out, const HamSymbol& symbol) {
+  const char32_t code = symbol.code;
+  if (code == U' ' || code == U',') {
+    // As characters they part symbols from each other.
+    out += ' ';
+    out += symbol.name;
+    out += ' ';
+    return;
+  }
   if (code < 0x80) {
     out += static_cast<char>(code);
     return;
@@ -116,7 +124,7 @@ Result<std::string> write_hamnosys(const NotatedSign& sign) {
         out += symbol.text;
         out += ' ';
       } else if (const HamSymbol* known = find_ham_symbol(symbol.name)) {
-        append_utf8(out, known->code);
+        append_symbol(out, *known);
       } else {
         return fail(ErrorCode::kUnsupported, "the symbol " + in_quotes(symbol.name) + " has no code point");
       }
