@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the built-in figure's hands reach, with the tables printed: all orientations of the notation before the body,
 // and what pinches close. What is not reached is held against a search through the arm's own angles.
-#include "body_solids.h"
+#include "arm_search.h"
 #include "direction.h"
-#include "kinematics/arm_ik.h"
-#include "kinematics/elementary.h"
-#include "kinematics/limits.h"
 #include "kinematics/rotation.h"
 #include "kinematics/solid.h"
 #include "phonology/vocabulary.h"
-#include "shipped.h"
 
 #include <algorithm>
 #include <array>
@@ -24,17 +20,11 @@
 namespace auslan {
 namespace {
 
-constexpr double kWithin = 5.0;     // degrees of a direction
-constexpr double kInLimits = 0.05;  // degrees, the room that `auslanjam check` leaves
-constexpr double kFarthest = 0.5;   // metres; skin farther away is not looked for
+constexpr double kFarthest = 0.5;  // metres; skin farther away is not looked for
 // What the solver of the hand's place is known to miss though an arm could do it: may become fewer, never more.
 constexpr int kMissedOrientations = 25;  // of each hand, of 208
 constexpr int kOpenPinches = 22;         // of 33 pairs of a thumb and a finger
 constexpr std::array<const char*, 8> kPalmLetters = {"u", "ur", "r", "dr", "d", "dl", "l", "ul"};
-
-double length(const Vec3& v) {
-  return std::sqrt(glm::dot(v, v));
-}
 
 std::vector<Direction> directions() {
   std::vector<Direction> all;
@@ -49,62 +39,6 @@ std::vector<Direction> directions() {
 Vec3 across(const Vec3& palm, const Vec3& fingers) {
   return unit(palm - fingers * glm::dot(palm, fingers));
 }
-
-class Reach {
- public:
-  Reach() : signer_(*shipped().signer), skeleton_(shipped().figure.skeleton) {}
-
-  const Signer& signer() const { return signer_; }
-
-  Transform parent(Side side) const {
-    return {kIdentity, skeleton_.rest_position(skeleton_.node(arm_nodes(skeleton_, side).shoulder).parent)};
-  }
-  /// Degrees by which the arm breaks its limits; nothing where the wrist is out of reach.
-  std::optional<double> strain(Side side, const Transform& wrist, double swivel) const {
-    const ArmNodes nodes = arm_nodes(skeleton_, side);
-    const ArmSolution arm = solve_arm(skeleton_, side, parent(side), wrist, swivel);
-    if (!arm.reachable) return std::nullopt;
-    return (limit_violation(skeleton_, nodes.shoulder, arm.shoulder) +
-            limit_violation(skeleton_, nodes.elbow, arm.elbow) + limit_violation(skeleton_, nodes.wrist, arm.wrist)) /
-           kDegree;
-  }
-  /// The least strain over all swivels, ended early where there is none.
-  double least_strain(Side side, const Transform& wrist, double step) const {
-    double least = 1e9;
-    for (double swivel = -90.0; swivel <= 180.0 && least > kInLimits; swivel += step)
-      if (const auto found = strain(side, wrist, swivel * kDegree)) least = std::min(least, *found);
-    return least;
-  }
-  /// The least strain with a hand's part at a place, leaning by no more than may be.
-  double possible(Side side, const Vec3& part, const Vec3& place, const Quat& wanted) const {
-    double least = 1e9;
-    for (int x = -1; x <= 1; ++x)
-      for (int y = -1; y <= 1; ++y)
-        for (int z = -1; z <= 1 && least > kInLimits; ++z) {
-          const Vec3 axis(x, y, z);
-          const double size = length(axis);
-          const Quat lean = size > 0 ? axis_angle(axis / size, 0.98 * kWithin * kDegree) : kIdentity;
-          Transform wrist;
-          wrist.rotation = lean * wanted;
-          wrist.position = place - wrist.rotation * part;
-          least = std::min(least, least_strain(side, wrist, 2.5));
-        }
-    return least;
-  }
-  /// The same anywhere before the body where hands sign.
-  bool possible_somewhere(Side side, const Quat& wanted) const {
-    const Vec3 middle = signer_.body().sternum();
-    for (double x = -0.3; x <= 0.31; x += 0.1)
-      for (double y = -0.3; y <= 0.31; y += 0.1)
-        for (double z = 0.1; z <= 0.51; z += 0.1)
-          if (least_strain(side, {wanted, middle + Vec3(x, y, z)}, 10.0) <= kInLimits) return true;
-    return false;
-  }
-
- private:
-  const Signer& signer_;
-  const Skeleton& skeleton_;
-};
 
 TEST(Reach, OrientationsThatAnArmAllowsAreShown) {
   const Reach reach;

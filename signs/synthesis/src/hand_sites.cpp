@@ -255,18 +255,12 @@ Site HandSites::site_for(Location location, HandPart touching, const HandAngles&
       return site(HandPart::kWristRadial, angles);
     case Location::kOtherWristUlnar:
       return site(HandPart::kWristUlnar, angles);
-    case Location::kOtherElbowInside:
-      return {-frame_.fingers * 0.24 + frame_.palm * 0.04, frame_.palm};
     case Location::kOtherBack:
       return site(HandPart::kBack, angles);
     case Location::kOtherWristBack:
       return {-frame_.palm * back_depth_ - frame_.fingers * 0.01, -frame_.palm};
     case Location::kOtherWristInner:
       return {frame_.palm * palm_depth_ * 0.9 - frame_.fingers * 0.015, frame_.palm};
-    case Location::kOtherForearmBack:
-      return {-frame_.palm * (back_depth_ + 0.01) - frame_.fingers * 0.09, -frame_.palm};
-    case Location::kOtherForearmInner:
-      return {frame_.palm * (palm_depth_ + 0.01) - frame_.fingers * 0.09, frame_.palm};
     case Location::kOtherFingertips:
       return site(HandPart::kFingertips, angles);
     case Location::kOtherThumb:
@@ -286,8 +280,6 @@ Site HandSites::site_for(Location location, HandPart touching, const HandAngles&
       return site(HandPart::kRadial, angles);
     case Location::kOtherFistTop:
       return site(HandPart::kFistThumbSide, angles);
-    case Location::kOtherElbow:
-      return {-frame_.fingers * 0.24 - frame_.palm * 0.04, -frame_.fingers};
     case Location::kHands:
       return site(touching, angles);
     default:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "synthesis/signer.h"
 
+#include "arm_sites.h"
 #include "hand_fit.h"
 #include "kinematics/arm_ik.h"
 #include "kinematics/elementary.h"
@@ -159,26 +160,10 @@ ArmPlacement Signer::place_arm(Side side, const HandState& state) const {
 
 Site Signer::other_site(Location location, HandPart touching, Side other_side, const HandState& other,
                         const Vec3& comes_from, const Vec3& offset) const {
-  if (location == Location::kUpperArm || location == Location::kElbow) {
-    const ArmPlacement arm = place_arm(other_side, other);
-    const double along = location == Location::kUpperArm ? 0.45 : 0.97;
-    const Vec3 axis = arm.elbow.position - arm.shoulder.position;
-    const Vec3 middle = arm.shoulder.position + axis * along;
-    // Upper arms are about as thick as a quarter of their length; the exact skin is found by a ray in the arm's own
-    // frame.
-    const Vec3 out = unit(comes_from - unit(axis) * glm::dot(comes_from, unit(axis)));
-    const ArmNodes& nodes = nodes_[static_cast<size_t>(other_side)];
-    const std::array<int, 1> only = {nodes.shoulder};
-    const Quat to_rest = glm::conjugate(arm.shoulder.rotation);
-    const Vec3 rest_middle =
-        figure_->skeleton.rest_position(nodes.shoulder) + to_rest * (middle - arm.shoulder.position);
-    const Vec3 rest_out = to_rest * out;
-    // The offset moves the ray across the arm, back onto the skin.
-    const Vec3 slide = to_rest * (offset - out * glm::dot(offset, out));
-    auto hit = cast_ray(*figure_, only, rest_middle + slide + rest_out * 0.5, -rest_out);
-    if (!hit) hit = cast_ray(*figure_, only, rest_middle + rest_out * 0.5, -rest_out);
-    if (!hit) return {middle + out * 0.05, out};
-    return {apply(arm.shoulder, hit->position), arm.shoulder.rotation * hit->normal};
+  if (is_on_arm(location)) {
+    const auto which = static_cast<size_t>(other_side);
+    return arm_site({*figure_, nodes_[which], frames_[which], place_arm(other_side, other)}, location, comes_from,
+                    offset);
   }
   const Quat to_wrist = glm::conjugate(other.wrist.rotation);
   const Site local = hand(other_side).site_for(location, touching, other.angles, to_wrist * comes_from);
