@@ -19,6 +19,7 @@ namespace {
 
 constexpr uint32_t kLeaf = 4;  // triangles of a box that is not divided
 constexpr size_t kDeepest = 64;
+constexpr double kNowhere = 1e9;  // metres
 
 double square(const Vec3& v) {
   return glm::dot(v, v);
@@ -113,13 +114,10 @@ Vec3 nearest_weights(const std::array<Vec3, 3>& corner, const Vec3& point) {
 }
 
 double squared_distance(const Vec3& low, const Vec3& high, const Vec3& point) {
-  double sum = 0.0;
-  for (glm::length_t i = 0; i < 3; ++i) {
-    const double below = low[i] - point[i], above = point[i] - high[i];
-    const double beyond = below > above ? below : above;
-    if (beyond > 0.0) sum += beyond * beyond;
-  }
-  return sum;
+  const double x = std::max(std::max(low.x - point.x, point.x - high.x), 0.0);
+  const double y = std::max(std::max(low.y - point.y, point.y - high.y), 0.0);
+  const double z = std::max(std::max(low.z - point.z, point.z - high.z), 0.0);
+  return (x * x + y * y) + z * z;
 }
 
 /// Of a triangle seen from the origin, steradians, positive from behind (van Oosterom & Strackee 1983).
@@ -154,9 +152,9 @@ Solid::Solid(const Mesh& mesh) {
   }
   if (!open.empty()) parts_.push_back(make_part(mesh.positions, indices, open));
   for (size_t i = 0; i < parts_.size(); ++i) {
-    const Box& box = parts_[i].boxes.front();
-    low_ = i == 0 ? box.low : glm::min(low_, box.low);
-    high_ = i == 0 ? box.high : glm::max(high_, box.high);
+    const Part& part = parts_[i];
+    low_ = i == 0 ? part.low : glm::min(low_, part.low);
+    high_ = i == 0 ? part.high : glm::max(high_, part.high);
   }
 }
 
@@ -181,6 +179,10 @@ Solid::Part Solid::make_part(std::span<const glm::vec3> positions, std::span<con
       triangle.corner[c] = Vec3(positions[index(i, c)]);
     // In millimetres: twice the area of a triangle of skin is far below what unit() takes for zero.
     const std::array<Vec3, 3>& at = triangle.corner;
+    triangle.middle = (at[0] + at[1] + at[2]) / 3.0;
+    for (const Vec3& corner : at)
+      triangle.radius = std::max(triangle.radius, std::sqrt(square(corner - triangle.middle)));
+    triangle.radius *= 1.0 + 1e-9;
     triangle.normal = unit(glm::cross((at[1] - at[0]) * 1e3, (at[2] - at[0]) * 1e3), Vec3(0.0));
     for (size_t c = 0; c < 3; ++c) {
       of_corner[index(i, c)] += triangle.normal * corner_angle(at[c], at[(c + 1) % 3], at[(c + 2) % 3]);
@@ -204,8 +206,11 @@ Solid::Part Solid::make_part(std::span<const glm::vec3> positions, std::span<con
   // The tree is made of numbers; the triangles are moved once.
   std::vector<uint32_t> order(part.triangles.size());
   std::iota(order.begin(), order.end(), 0U);
-  part.boxes.push_back({Vec3(0.0), Vec3(0.0), 0, static_cast<uint32_t>(order.size())});
-  divide(part, 0, order);
+  std::vector<Box> boxes = {{Vec3(0.0), Vec3(0.0), 0, static_cast<uint32_t>(order.size())}};
+  divide(part, boxes, 0, order);
+  part.low = boxes.front().low;
+  part.high = boxes.front().high;
+  add_four(part, boxes, 0);
   std::vector<Triangle> sorted;
   sorted.reserve(order.size());
   for (const uint32_t triangle : order)
@@ -214,8 +219,8 @@ Solid::Part Solid::make_part(std::span<const glm::vec3> positions, std::span<con
   return part;
 }
 
-void Solid::divide(Part& part, uint32_t box_index, std::span<uint32_t> order) {
-  Box box = part.boxes[box_index];
+void Solid::divide(const Part& part, std::vector<Box>& boxes, uint32_t box_index, std::span<uint32_t> order) {
+  Box box = boxes[box_index];
   const std::span<uint32_t> own = order.subspan(box.first, box.count);
   box.low = Vec3(std::numeric_limits<double>::max());
   box.high = -box.low;
@@ -229,7 +234,7 @@ void Solid::divide(Part& part, uint32_t box_index, std::span<uint32_t> order) {
   if (count <= kLeaf) {
     // In the order of the mesh, so that ties do not depend on how a library selects.
     std::ranges::sort(own);
-    part.boxes[box_index] = box;
+    boxes[box_index] = box;
     return;
   }
   const Vec3 extent = box.high - box.low;
@@ -242,57 +247,102 @@ void Solid::divide(Part& part, uint32_t box_index, std::span<uint32_t> order) {
     const double x = middle(a), y = middle(b);
     return x < y || (x == y && a < b);
   });
-  const auto children = static_cast<uint32_t>(part.boxes.size());
-  part.boxes.push_back({Vec3(0.0), Vec3(0.0), box.first, count / 2});
-  part.boxes.push_back({Vec3(0.0), Vec3(0.0), box.first + count / 2, count - count / 2});
+  const auto children = static_cast<uint32_t>(boxes.size());
+  boxes.push_back({Vec3(0.0), Vec3(0.0), box.first, count / 2});
+  boxes.push_back({Vec3(0.0), Vec3(0.0), box.first + count / 2, count - count / 2});
   box.first = children;
   box.count = 0;
-  part.boxes[box_index] = box;
-  divide(part, children, order);
-  divide(part, children + 1, order);
+  boxes[box_index] = box;
+  divide(part, boxes, children, order);
+  divide(part, boxes, children + 1, order);
+}
+
+uint32_t Solid::add_four(Part& part, std::span<const Box> boxes, uint32_t box) {
+  // Those two levels below, or leaves above that.
+  std::vector<uint32_t> below = {box};
+  for (int level = 0; level < 2; ++level) {
+    std::vector<uint32_t> next;
+    for (const uint32_t one : below) {
+      if (boxes[one].count > 0)
+        next.push_back(one);
+      else
+        next.insert(next.end(), {boxes[one].first, boxes[one].first + 1});
+    }
+    below = std::move(next);
+  }
+  const auto index = static_cast<uint32_t>(part.tree.size());
+  part.tree.emplace_back();
+  FourBoxes four;
+  for (size_t c = 0; c < 4; ++c) {
+    const Box* const child = c < below.size() ? &boxes[below[c]] : nullptr;
+    for (size_t axis = 0; axis < 3; ++axis) {
+      const auto i = static_cast<glm::length_t>(axis);
+      four.middle[axis][c] = child != nullptr ? 0.5 * (child->low[i] + child->high[i]) : kNowhere;
+      // A little more, for what is rounded.
+      four.half[axis][c] = child != nullptr ? 0.5 * (child->high[i] - child->low[i]) * (1.0 + 1e-9) + 1e-12 : 0.0;
+    }
+    if (child == nullptr) continue;
+    four.count[c] = child->count;
+    four.first[c] = child->count > 0 ? child->first : add_four(part, boxes, below[c]);
+  }
+  part.tree[index] = four;
+  return index;
 }
 
 std::optional<NearestSurface> Solid::nearest_of(const Part& part, const Vec3& point, double within) {
-  double best = within * within;
+  double best = within * within, radius = within;
   const Triangle* nearest = nullptr;
   Vec3 weights(0.0);
+  const auto take = [&](const Triangle& triangle) {
+    // A ball that holds the triangle tells most of those that are too far.
+    const double reach = radius + triangle.radius;
+    if (square(point - triangle.middle) > reach * reach) return;
+    const Vec3 w = nearest_weights(triangle.corner, point);
+    const Vec3 place = (triangle.corner[0] * w.x + triangle.corner[1] * w.y) + triangle.corner[2] * w.z;
+    const double distance = square(point - place);
+    // Of triangles that are equally near, one with an area tells inside from outside; of these the first.
+    if (distance > best) return;
+    if (distance == best && nearest != nullptr &&
+        (triangle.normal == Vec3(0.0) || (nearest < &triangle && nearest->normal != Vec3(0.0))))
+      return;
+    best = distance;
+    radius = std::sqrt(best);
+    nearest = &triangle;
+    weights = w;
+  };
   struct Waiting {
-    uint32_t box;
+    uint32_t first, count;
     double distance;  // squared, from the point to the box
   };
-  std::array<Waiting, kDeepest> stack;
-  size_t depth = 0;
-  const auto wait = [&](uint32_t box, double distance) {
-    if (distance <= best) stack[depth++] = {box, distance};
-  };
-  wait(0, squared_distance(part.boxes[0].low, part.boxes[0].high, point));
+  std::array<Waiting, 3 * kDeepest> stack;
+  stack[0] = {0, 0, 0.0};
+  size_t depth = 1;
   while (depth > 0) {
     const Waiting next = stack[--depth];
     if (next.distance > best) continue;
-    const Box& box = part.boxes[next.box];
-    if (box.count == 0) {
-      const Box& a = part.boxes[box.first];
-      const Box& b = part.boxes[box.first + 1];
-      const double to_a = squared_distance(a.low, a.high, point), to_b = squared_distance(b.low, b.high, point);
-      if (to_a <= to_b) {
-        wait(box.first + 1, to_b);
-        wait(box.first, to_a);
-      } else {
-        wait(box.first, to_a);
-        wait(box.first + 1, to_b);
-      }
+    if (next.count > 0) {
+      for (uint32_t i = next.first; i < next.first + next.count; ++i)
+        take(part.triangles[i]);
       continue;
     }
-    for (uint32_t i = box.first; i < box.first + box.count; ++i) {
-      const Triangle& triangle = part.triangles[i];
-      const Vec3 w = nearest_weights(triangle.corner, point);
-      const Vec3 place = (triangle.corner[0] * w.x + triangle.corner[1] * w.y) + triangle.corner[2] * w.z;
-      const double distance = square(point - place);
-      // Of triangles that are equally near, one with an area tells inside from outside.
-      if (distance > best || (distance == best && nearest != nullptr && triangle.normal == Vec3(0.0))) continue;
-      best = distance;
-      nearest = &triangle;
-      weights = w;
+    const FourBoxes& four = part.tree[next.first];
+    std::array<double, 4> distance{};
+    for (size_t axis = 0; axis < 3; ++axis) {
+      const double at = point[static_cast<glm::length_t>(axis)];
+      for (size_t c = 0; c < 4; ++c) {
+        const double beyond = std::abs(at - four.middle[axis][c]) - four.half[axis][c];
+        const double twice = beyond + std::abs(beyond);  // 0 within
+        distance[c] += 0.25 * (twice * twice);
+      }
+    }
+    // The nearest on top.
+    const size_t base = depth;
+    for (size_t c = 0; c < 4; ++c) {
+      if (!(distance[c] <= best)) continue;
+      size_t at = depth++;
+      for (; at > base && stack[at - 1].distance < distance[c]; --at)
+        stack[at] = stack[at - 1];
+      stack[at] = {four.first[c], four.count[c], distance[c]};
     }
   }
   if (nearest == nullptr) return std::nullopt;
@@ -317,8 +367,7 @@ std::optional<NearestSurface> Solid::nearest(const Vec3& point, double within) c
   std::optional<NearestSurface> inside;
   for (const Part& part : parts_) {
     // Beyond a part's box a point is outside the part, and only a nearer surface counts.
-    const Box& box = part.boxes.front();
-    const bool beyond = squared_distance(box.low, box.high, point) > 0.0;
+    const bool beyond = squared_distance(part.low, part.high, point) > 0.0;
     if (beyond && inside) continue;
     const auto found = nearest_of(part, point, beyond && outside ? outside->distance : within);
     if (!found) continue;
@@ -333,8 +382,7 @@ std::optional<NearestSurface> Solid::nearest(const Vec3& point, double within) c
 
 bool Solid::contains(const Vec3& point) const {
   return std::ranges::any_of(parts_, [&point](const Part& part) {
-    const Box& all = part.boxes.front();
-    if (squared_distance(all.low, all.high, point) > 0.0) return false;
+    if (squared_distance(part.low, part.high, point) > 0.0) return false;
     double angle = 0.0;
     for (const Triangle& triangle : part.triangles)
       angle += solid_angle(triangle.corner[0] - point, triangle.corner[1] - point, triangle.corner[2] - point);

@@ -45,6 +45,8 @@ class Solid {
  private:
   struct Triangle {
     std::array<Vec3, 3> corner;
+    Vec3 middle{0.0};                     ///< of a ball that holds it
+    double radius = 0.0;                  ///< metres
     Vec3 normal{0.0};                     ///< unit, or zero without area
     std::array<Vec3, 3> edge_normal{};    ///< of corner i to corner i + 1; any length
     std::array<Vec3, 3> corner_normal{};  ///< any length
@@ -55,14 +57,22 @@ class Solid {
     uint32_t first = 0;  ///< of its triangles; of a node with children: the first child, the other follows
     uint32_t count = 0;  ///< of its triangles; 0: it has children
   };
+  /// The same tree as it is asked: four boxes side by side. Unused ones are far away.
+  struct FourBoxes {
+    std::array<std::array<double, 4>, 3> middle, half;  ///< by axis
+    std::array<uint32_t, 4> first{};  ///< of a box's triangles, or the four boxes below it
+    std::array<uint32_t, 4> count{};  ///< of a box's triangles; 0: there are boxes below it
+  };
   struct Part {
     std::vector<Triangle> triangles;
-    std::vector<Box> boxes;  ///< the root first
+    Vec3 low{0.0}, high{0.0};
+    std::vector<FourBoxes> tree;  ///< the root first
   };
 
   static Part make_part(std::span<const glm::vec3> positions, std::span<const uint32_t> indices,
                         std::span<const uint32_t> triangles);
-  static void divide(Part& part, uint32_t box, std::span<uint32_t> order);
+  static void divide(const Part& part, std::vector<Box>& boxes, uint32_t box, std::span<uint32_t> order);
+  static uint32_t add_four(Part& part, std::span<const Box> boxes, uint32_t box);
   static std::optional<NearestSurface> nearest_of(const Part& part, const Vec3& point, double within);
 
   std::vector<Part> parts_;

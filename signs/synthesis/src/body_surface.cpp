@@ -74,13 +74,12 @@ SurfacePatch balled(SurfacePatch patch) {
   return patch;
 }
 
-SurfacePatch placed(const SurfacePatch& patch, const Transform& place, size_t count) {
+SurfacePatch placed(const SurfacePatch& patch, const Transform& place) {
   SurfacePatch result;
   result.centre = apply(place, patch.centre);
   result.radius = patch.radius;
-  const std::span<const Site> points(patch.points.data(), std::min(count, patch.points.size()));
-  result.points.reserve(points.size());
-  for (const Site& point : points)
+  result.points.reserve(patch.points.size());
+  for (const Site& point : patch.points)
     result.points.push_back({apply(place, point.position), place.rotation * point.normal});
   return result;
 }

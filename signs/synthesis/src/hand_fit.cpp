@@ -16,6 +16,8 @@ namespace {
 constexpr int kIterations = 24, kPatience = 7;  // rounds without progress
 constexpr double kProgress = 0.0003;            // metres
 constexpr double kDeepest = 0.25;               // no part of a body is thicker than twice this, metres
+constexpr double kTells = 0.003;                // metres that a point has to be off to tell of its neighbours
+constexpr double kAhead = 0.03;                 // metres
 constexpr double kFarthest = 0.06;              // from what is to be touched, metres
 // A turn of a radian counts as much as so many metres of shift.
 constexpr double kTurnLength = 0.2;
@@ -84,39 +86,89 @@ double length(const Vec3& v) {
   return std::sqrt(glm::dot(v, v));
 }
 
-/// Calls `deep(point index, depth beyond what is allowed, way out)` for the points of a patch that are too deep.
+/// A distance that was found before: nothing comes nearer to a surface than by the way that it has gone.
+struct Remembered {
+  Vec3 at{0.0};  ///< in the solid's frame
+  double distance = -1.0;
+  bool still_beyond(double reach, const Vec3& now) const {
+    const double spare = distance - reach - 1e-9;
+    if (spare <= 0.0) return false;
+    const Vec3 way = now - at;
+    return glm::dot(way, way) < spare * spare;
+  }
+};
+
+/// Places whose distance tells that others near them are far enough.
+class Tellers {
+ public:
+  void add(const Remembered& one) {
+    if (count_ < all_.size()) all_[count_++] = one;
+  }
+  bool tell_beyond(double reach, const Vec3& now) const {
+    return std::any_of(all_.begin(), all_.begin() + count_,
+                       [&](const Remembered& one) { return one.still_beyond(reach, now); });
+  }
+
+ private:
+  std::array<Remembered, 16> all_;
+  std::ptrdiff_t count_ = 0;
+};
+
+/// What is remembered of a patch and an obstacle while both keep their form and the obstacle its place.
+struct Memory {
+  Remembered centre;
+  std::vector<Remembered> points;
+};
+
+/// Calls `deep(point index, distance to the surface, way out)` for the points of a patch that are nearer to the
+/// surface than `limit` (metres, negative inside), which may shrink meanwhile. `centres`: of patches that were asked
+/// about this obstacle before.
 template <class Deep>
-void each_deep_point(const SurfacePatch& patch, const Obstacle& obstacle, const Transform& world_from_patch,
-                     const Deep& deep) {
-  const double room = std::max(0.0, -obstacle.allowed);
+void each_point_below(const double& limit, const PlacedPatch& placed, const Obstacle& obstacle, Memory* memory,
+                      Tellers& centres, const Deep& deep) {
+  const double need = placed.patch->radius + limit;
   const Quat& turn = obstacle.world_from_solid.rotation;
   const Quat back = glm::conjugate(turn);
   const auto in_solid = [&](const Vec3& point) {
-    return back * (apply(world_from_patch, point) - obstacle.world_from_solid.position);
+    return back * (apply(placed.world_from_patch, point) - obstacle.world_from_solid.position);
   };
   const auto beside = [&](const Vec3& local, double reach) {
     const Vec3 low = obstacle.solid->low() - reach, high = obstacle.solid->high() + reach;
     return local.x < low.x || local.y < low.y || local.z < low.z || local.x > high.x || local.y > high.y ||
            local.z > high.z;
   };
-  const Vec3 centre = in_solid(patch.centre);
-  if (beside(centre, patch.radius + room)) return;
-  // A point is no nearer to the surface than the centre is, less the way between the two.
-  auto middle = obstacle.solid->nearest(centre, patch.radius + room);
-  if (!middle) {
-    if (beside(centre, -patch.radius)) return;
+  const Vec3 centre = in_solid(placed.patch->centre);
+  if (beside(centre, need)) return;
+  if (memory != nullptr && memory->centre.still_beyond(need, centre)) return;
+  if (centres.tell_beyond(need, centre)) return;
+  // A point is no nearer to the surface than the centre is, less the way between the two. The centre is asked a little
+  // farther than it has to be: that tells of others.
+  const double within = std::max(need, 0.0) + kAhead;
+  auto middle = obstacle.solid->nearest(centre, within);
+  if (!middle && !beside(centre, -placed.patch->radius)) {
     middle = obstacle.solid->nearest(centre, kDeepest);
-    if (!middle || middle->distance > 0.0) return;
+    if (!middle) return;
   }
-  for (size_t i = 0; i < patch.points.size(); ++i) {
-    const Vec3 apart = patch.points[i].position - patch.centre;
+  const Remembered known{centre, middle ? middle->distance : within};
+  if (memory != nullptr) memory->centre = known;
+  if (known.distance > kTells) centres.add(known);
+  if (known.distance > need) return;
+  const std::span<const Site> points = placed.points();
+  if (memory != nullptr) memory->points.resize(points.size());
+  Tellers tellers;
+  for (size_t i = 0; i < points.size(); ++i) {
+    const Vec3 apart = points[i].position - placed.patch->centre;
     const double way = std::sqrt(glm::dot(apart, apart));
-    if (middle->distance - way > room) continue;
-    const Vec3 local = in_solid(patch.points[i].position);
-    if (beside(local, room)) continue;
-    const auto nearest = obstacle.solid->nearest(local, std::abs(middle->distance) + way + 1e-6);
-    if (!nearest || -nearest->distance <= obstacle.allowed) continue;
-    deep(i, -nearest->distance - obstacle.allowed, turn * nearest->normal);
+    if (known.distance - way > limit) continue;
+    const Vec3 local = in_solid(points[i].position);
+    if (beside(local, std::max(limit, 0.0))) continue;
+    if (memory != nullptr && memory->points[i].still_beyond(limit, local)) continue;
+    if (tellers.tell_beyond(limit, local)) continue;
+    const auto nearest = obstacle.solid->nearest(local, std::abs(known.distance) + way + 1e-6);
+    if (!nearest) continue;
+    if (memory != nullptr) memory->points[i] = {local, nearest->distance};
+    if (nearest->distance > limit + kTells) tellers.add({local, nearest->distance});
+    if (nearest->distance < limit) deep(i, nearest->distance, turn * nearest->normal);
   }
 }
 
@@ -171,6 +223,7 @@ HandFit fit_hand(const Transform& world_from_wrist, double swivel, std::span<con
   HandFit best;
   double least = 1e9, excess = 0.0;
   int improved = 0;
+  std::vector<Memory> memory(hand.size() * goal.obstacles.size());
   for (int iteration = 0; iteration <= kIterations; ++iteration) {
     struct Deep {
       Row row;
@@ -182,15 +235,21 @@ HandFit fit_hand(const Transform& world_from_wrist, double swivel, std::span<con
       deep.push_back({row_along(out, wrist.rotation * point), depth});
       deepest = std::max(deepest, depth);
     };
-    for (const SurfacePatch& patch : hand) {
-      for (const Obstacle& obstacle : goal.obstacles)
-        each_deep_point(patch, obstacle, wrist, [&](size_t i, double depth, const Vec3& out) {
-          too_deep(patch.points[i].position, depth, out);
-        });
-      if (!goal.mirror) continue;
-      for (const Site& point : patch.points) {
-        const double depth = -apply(wrist, point.position).x * goal.mirror->side - goal.mirror->allowed;
-        if (depth > 0.0) too_deep(point.position, depth, Vec3(goal.mirror->side, 0, 0));
+    for (size_t o = 0; o < goal.obstacles.size(); ++o) {
+      const double limit = -goal.obstacles[o].allowed;
+      Tellers centres;
+      for (size_t p = 0; p < hand.size(); ++p)
+        each_point_below(limit, {&hand[p], wrist}, goal.obstacles[o], &memory[p * goal.obstacles.size() + o], centres,
+                         [&](size_t i, double distance, const Vec3& out) {
+                           too_deep(hand[p].points[i].position, limit - distance, out);
+                         });
+    }
+    if (goal.mirror) {
+      for (const SurfacePatch& patch : hand) {
+        for (const Site& point : patch.points) {
+          const double depth = -apply(wrist, point.position).x * goal.mirror->side - goal.mirror->allowed;
+          if (depth > 0.0) too_deep(point.position, depth, Vec3(goal.mirror->side, 0, 0));
+        }
       }
     }
     const bool contact = !goal.region.empty();
@@ -243,15 +302,17 @@ HandFit fit_hand(const Transform& world_from_wrist, double swivel, std::span<con
   return best;
 }
 
-Depth depth_in(std::span<const SurfacePatch> points, std::span<const Obstacle> obstacles) {
+Depth depth_in(std::span<const PlacedPatch> patches, std::span<const Obstacle> obstacles) {
   Depth worst;
-  for (const SurfacePatch& patch : points)
-    for (const Obstacle& obstacle : obstacles)
-      each_deep_point(patch, obstacle, Transform{}, [&](size_t, double depth, const Vec3& out) {
-        if (depth <= worst.metres) return;
-        worst.metres = depth;
-        worst.out = out;
+  for (const Obstacle& obstacle : obstacles) {
+    double limit = -obstacle.allowed - worst.metres;
+    Tellers centres;
+    for (const PlacedPatch& patch : patches)
+      each_point_below(limit, patch, obstacle, nullptr, centres, [&](size_t, double distance, const Vec3& out) {
+        worst = {-obstacle.allowed - distance, out};
+        limit = distance;
       });
+  }
   return worst;
 }
 

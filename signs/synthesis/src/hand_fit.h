@@ -55,8 +55,8 @@ struct HandFit {
 HandFit fit_hand(const Transform& world_from_wrist, double swivel, std::span<const SurfacePatch> hand,
                  const HandFitGoal& goal);
 
-/// The deepest that any of the points lie beyond what their obstacle allows, and the way out; world space.
+/// The deepest that any of the points lie beyond what the obstacles allow, and the way out; world space.
 struct Depth;
-Depth depth_in(std::span<const SurfacePatch> points, std::span<const Obstacle> obstacles);
+Depth depth_in(std::span<const PlacedPatch> patches, std::span<const Obstacle> obstacles);
 
 }  // namespace auslan

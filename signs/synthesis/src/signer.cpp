@@ -35,7 +35,6 @@ constexpr double kFreeLean = 2.0 * kDegree, kTrueLean = 20.0 * kDegree;
 constexpr double kLeanCost = 36.0, kFarLeanCost = 300.0, kExcessCost = 2000.0, kOffCost = 1e4, kDepthCost = 1e5;
 constexpr double kContactLean = 12.0 * kDegree;
 constexpr double kComesFrom = 0.03, kWell = 0.002;
-constexpr size_t kAllPoints = 1000;
 constexpr double kShiftCost = 1000.0, kLargestShift = 0.1;  // of a hand in the air; per square metre, metres
 
 /// The part that a hand touches with where the entry does not say: a pointing hand its tip, a broad one the palm when
@@ -48,6 +47,10 @@ HandPart default_part(const Handshape& handshape, bool palm_faces) {
   if (handshape.selected == "index+middle") return HandPart::kIndexMiddleTips;
   if (handshape.selected == "index+thumb") return HandPart::kThumbIndexTips;
   return palm_faces ? HandPart::kPalm : HandPart::kFingertips;
+}
+
+Transform composed(const Transform& a_from_b, const Transform& b_from_c) {
+  return {a_from_b.rotation * b_from_c.rotation, apply(a_from_b, b_from_c.position)};
 }
 
 bool is_broad(Location location) {
@@ -243,7 +246,7 @@ PlacedHand Signer::place(const Posture& posture, const Handshape& handshape, Sid
   placed.shift = settle(side, wish, obstacles, state);
   const Vec3 target = wish.target + placed.shift;
   if (counterpart.shift) placed.shift = *counterpart.shift;
-  const std::vector<SurfacePatch> patches = hand_patches(side, state.angles, kAllPoints);
+  const std::vector<SurfacePatch> patches = hand_patches(side, state.angles);
   std::vector<Vec3> touching;
   if (placed.touching) touching = region(part, local, patches);
   const auto admit = [&](const Vec3& pivot, Transform& wrist, double& swivel) {
@@ -315,7 +318,7 @@ Vec3 Signer::settle(Side side, const Wish& wish, std::span<const Obstacle> obsta
     HandState trial = state;
     trial.wrist = candidate.wrist;
     trial.swivel = candidate.swivel;
-    const std::array<SurfacePatch, 2> patches = arm_patches(side, trial);
+    const std::array<PlacedPatch, 2> patches = arm_patches(side, trial);
     const double depth = depth_in(patches, obstacles).metres;
     candidate.cost += kDepthCost * depth * depth;
     return candidate;
@@ -402,27 +405,23 @@ void Signer::add_other_arm(Side other_side, const HandState& other, bool touches
   const auto digits = hand(other_side).digits(other.angles);
   for (size_t d = 0; d < 5; ++d)
     for (size_t j = 0; j < 3; ++j)
-      add(nodes.digits[d][j],
-          {other.wrist.rotation * digits[d][j].rotation, apply(other.wrist, digits[d][j].position)});
+      add(nodes.digits[d][j], composed(other.wrist, digits[d][j]));
 }
 
-std::vector<SurfacePatch> Signer::hand_patches(Side side, const HandAngles& angles, size_t points) const {
+std::vector<SurfacePatch> Signer::hand_patches(Side side, const HandAngles& angles) const {
   const ArmNodes& nodes = nodes_[static_cast<size_t>(side)];
-  const auto first = [&](int node, const Transform& place, size_t count) {
-    return placed(surface_.patch(node), place, count);
-  };
-  std::vector<SurfacePatch> patches = {first(nodes.wrist, {}, 3 * points)};
+  std::vector<SurfacePatch> patches = {surface_.patch(nodes.wrist)};
   const auto digits = hand(side).digits(angles);
   for (size_t d = 0; d < 5; ++d)
     for (size_t j = 0; j < 3; ++j)
-      patches.push_back(first(nodes.digits[d][j], digits[d][j], points));
+      patches.push_back(placed(surface_.patch(nodes.digits[d][j]), digits[d][j]));
   return patches;
 }
 
-std::array<SurfacePatch, 2> Signer::arm_patches(Side side, const HandState& state) const {
+std::array<PlacedPatch, 2> Signer::arm_patches(Side side, const HandState& state) const {
   const ArmPlacement arm = place_arm(side, state);
-  return {placed(surface_.patch(nodes_[static_cast<size_t>(side)].elbow), arm.elbow),
-          placed(lower_upper_arm_[static_cast<size_t>(side)], arm.shoulder)};
+  return {PlacedPatch{&surface_.patch(nodes_[static_cast<size_t>(side)].elbow), arm.elbow},
+          PlacedPatch{&lower_upper_arm_[static_cast<size_t>(side)], arm.shoulder}};
 }
 
 std::vector<Vec3> Signer::region(HandPart part, const Site& site, std::span<const SurfacePatch> hand) {
@@ -440,18 +439,13 @@ std::vector<Vec3> Signer::region(HandPart part, const Site& site, std::span<cons
 }
 
 Depth Signer::coarse_depth(Side side, const HandState& state, std::span<const Obstacle> obstacles) const {
-  constexpr size_t kFew = 6;
-  std::vector<SurfacePatch> patches = hand_patches(side, state.angles, kFew);
-  // The palm, and each digit as a whole.
-  std::vector<SurfacePatch> parts = {placed(patches[0], state.wrist)};
-  for (size_t digit = 0; digit < 5; ++digit) {
-    SurfacePatch whole = placed(patches[1 + 3 * digit], state.wrist);
-    for (size_t joint = 1; joint < 3; ++joint) {
-      const SurfacePatch next = placed(patches[1 + 3 * digit + joint], state.wrist);
-      whole.points.insert(whole.points.end(), next.points.begin(), next.points.end());
-    }
-    parts.push_back(balled(std::move(whole)));
-  }
+  constexpr size_t kFew = 6;  // points of a digit's segment
+  const ArmNodes& nodes = nodes_[static_cast<size_t>(side)];
+  std::vector<PlacedPatch> parts = {{&surface_.patch(nodes.wrist), state.wrist, 3 * kFew}};
+  const auto digits = hand(side).digits(state.angles);
+  for (size_t d = 0; d < 5; ++d)
+    for (size_t j = 0; j < 3; ++j)
+      parts.push_back({&surface_.patch(nodes.digits[d][j]), composed(state.wrist, digits[d][j]), kFew});
   parts.push_back(arm_patches(side, state)[0]);
   return depth_in(parts, obstacles);
 }

@@ -114,11 +114,10 @@ class Signer {
   std::vector<Obstacle> body_obstacles(bool touches) const;
   /// The other arm with its hand.
   void add_other_arm(Side other_side, const HandState& other, bool touches, std::vector<Obstacle>& obstacles) const;
-  /// The surface of a hand in the wrist's frame: so many points of each digit's segments, and three times as many of
-  /// the palm's.
-  std::vector<SurfacePatch> hand_patches(Side side, const HandAngles& angles, size_t points) const;
-  /// The surface of the forearm and of the lower half of the upper arm, world space.
-  std::array<SurfacePatch, 2> arm_patches(Side side, const HandState& state) const;
+  /// The surface of a hand in the wrist's frame, palm first.
+  std::vector<SurfacePatch> hand_patches(Side side, const HandAngles& angles) const;
+  /// The forearm, and the lower half of the upper arm.
+  std::array<PlacedPatch, 2> arm_patches(Side side, const HandState& state) const;
   /// The points that count as a part of the hand: those about its site that face as it does; wrist frame.
   static std::vector<Vec3> region(HandPart part, const Site& site, std::span<const SurfacePatch> hand);
   /// The place on the other hand or arm, world space.
