@@ -105,13 +105,13 @@ class Tellers {
     if (count_ < all_.size()) all_[count_++] = one;
   }
   bool tell_beyond(double reach, const Vec3& now) const {
-    return std::any_of(all_.begin(), all_.begin() + count_,
-                       [&](const Remembered& one) { return one.still_beyond(reach, now); });
+    const std::span<const Remembered> those = std::span(all_).first(count_);
+    return std::ranges::any_of(those, [&](const Remembered& one) { return one.still_beyond(reach, now); });
   }
 
  private:
   std::array<Remembered, 16> all_;
-  std::ptrdiff_t count_ = 0;
+  size_t count_ = 0;
 };
 
 /// What is remembered of a patch and an obstacle while both keep their form and the obstacle its place.
