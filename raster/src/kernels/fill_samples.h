@@ -19,7 +19,11 @@ struct FillSamples {
   using Group = SmallGroup<kSamples>;
   static constexpr size_t kRowWords = size_t{kTileStride} * kSamples;
   static constexpr int32_t kPixels = static_cast<int32_t>(W::kLanes / kSamples);  ///< in a vector
-  static_assert(kPixels >= 1);
+  // Vectors that are filled with one vector of colours, which has room for kLanes / 2 pixels. Wider lanes lose more by
+  // branches in several places, where a row may end, than they win by computing fewer colours.
+  static constexpr size_t kVectors = W::kLanes == 4 ? kSamples / 2 : 1;
+  static constexpr int32_t kColours = kPixels * static_cast<int32_t>(kVectors);
+  static_assert(kPixels >= 1 && kVectors <= 2);
 
   // Numbers that eight rows or pixels are counted with.
   struct alignas(32) Counts {
@@ -95,8 +99,7 @@ struct FillSamples {
       if ((g.word[k] & kGouraudColour) != 0U) {
         right = W::template repeat<2>(g.colour_x[k]);
         corner = W::template repeat<2>(g.colour[k]);
-        if constexpr (kPixels > 1)
-          corner = W::add16(corner, W::multiply16(right, W::load(Counts::kCounts.pixel_of_colour)));
+        corner = W::add16(corner, W::multiply16(right, W::load(Counts::kCounts.pixel_of_colour)));
         down = W::template repeat<2>(g.colour_y[k]);
         least = W::template repeat<2>(g.colour_least[k]);
         greatest = W::template repeat<2>(g.colour_greatest[k]);
@@ -113,11 +116,11 @@ struct FillSamples {
         right = down = W::set(0);
       }
     }
-    WI words(WI colour) const {
+    WI packed(WI colour) const {
       const WI held = W::min16(W::max16(colour, least), greatest);
       const WI levels =
           W::template shift_right16<kLevelBits>(W::add16(held, W::set(Group::kLess | Group::kLess << 16)));
-      return W::template words_of_samples<kSamples>(levels);
+      return W::pack_colours(levels);
     }
   };
 
@@ -133,7 +136,7 @@ struct FillSamples {
     }
     const WF sample_depth = W::template repeat<kSamples>(g.sample_depth[k]);
     const Colours colours(g, k);
-    const WI colour_step = W::multiply16(colours.right, W::set(kPixels | kPixels << 16));
+    const WI colour_step = W::multiply16(colours.right, W::set(kColours | kColours << 16));
 
     const size_t place = static_cast<size_t>(g.row[k]) * kRowWords + static_cast<size_t>(g.column[k]) * kSamples;
     float* const corner_depths = buffers.depth + place;
@@ -153,16 +156,30 @@ struct FillSamples {
       float* depths = corner_depths + here;
       uint32_t* words = corner_words + here;
       int32_t left = rows.pixels[n];
-      for (size_t i = 0;; i += W::kLanes) {
+      const auto fill = [&](size_t i, WI pixels) {
         const WF depth = (row_depth + W::load(pixel_depths + i)) + sample_depth;
         WF stored = W::load(depths + i);
         const WI visible = W::keep_greater(edge[0] | edge[1] | edge[2], depth, stored);
         W::store(depths + i, stored);
-        W::store(words + i, W::select(visible, colours.words(colour), W::load(words + i)));
-        left += kPixels;
-        if (left >= 0) break;
+        W::store(words + i, W::select(visible, pixels, W::load(words + i)));
+      };
+      const auto move = [&] {
         for (size_t e = 0; e < 3; ++e)
           edge[e] = edge[e] + step[e];
+      };
+      for (size_t i = 0;; i += W::kLanes) {
+        const WI packed = colours.packed(colour);
+        fill(i, W::template words_of_samples<kSamples, 0>(packed));
+        left += kPixels;
+        if (left >= 0) break;
+        move();
+        if constexpr (kVectors == 2) {
+          i += W::kLanes;
+          fill(i, W::template words_of_samples<kSamples, 1>(packed));
+          left += kPixels;
+          if (left >= 0) break;
+          move();
+        }
         colour = W::add16(colour, colour_step);
       }
     }

@@ -169,13 +169,16 @@ struct Avx2 {
     pixels = samples[0];
     return signs(equal(differ, set(0))) == 0xFFU;
   }
-  template <size_t kSamples>
-  static I words_of_samples(I colours) {
-    // The first four bytes of each half's pixels, and the next four.
-    constexpr int kLast = kSamples == 8 ? 0 : 1;
-    const __m256i order = kSamples == 2 ? _mm256_setr_epi32(0, 0, 1, 1, 4, 4, 5, 5)
-                                        : _mm256_setr_epi32(0, 0, 0, 0, kLast, kLast, kLast, kLast);
-    return {_mm256_permutevar8x32_epi32(_mm256_packus_epi16(colours.v, colours.v), order)};
+  static I pack_colours(I colours) { return {_mm256_packus_epi16(colours.v, colours.v)}; }
+  template <size_t kSamples, size_t kVector>
+  static I words_of_samples(I packed) {
+    // Pixels 0 and 1 are in the low half, 2 and 3 in the high one.
+    const auto from = [](size_t lane) {
+      const size_t pixel = (kVector * kLanes + lane) / kSamples;
+      return static_cast<int>(pixel % 2 + pixel / 2 * 4);
+    };
+    const __m256i order = _mm256_setr_epi32(from(0), from(1), from(2), from(3), from(4), from(5), from(6), from(7));
+    return {_mm256_permutevar8x32_epi32(packed.v, order)};
   }
   // With what fill_samples.h needs to find a row's pixels.
   struct Crossings {

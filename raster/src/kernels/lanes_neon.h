@@ -182,16 +182,20 @@ struct Neon {
     pixels = samples[0];
     return signs(equal(differ, set(0))) == 0xFFU;
   }
-  template <size_t kSamples>
-  static I words_of_samples(I colours) {
+  static I pack_colours(I colours) {
     const auto words = [](int32x4_t pixels) { return vreinterpret_s32_u8(vqmovun_s16(vreinterpretq_s16_s32(pixels))); };
-    const int32x2_t low = words(colours.l);
+    const int32x4_t packed = vcombine_s32(words(colours.l), words(colours.h));
+    return {packed, packed};
+  }
+  template <size_t kSamples, size_t kVector>
+  static I words_of_samples(I packed) {
     if constexpr (kSamples == 2) {
-      const int32x2_t high = words(colours.h);
-      return {vcombine_s32(vdup_lane_s32(low, 0), vdup_lane_s32(low, 1)),
-              vcombine_s32(vdup_lane_s32(high, 0), vdup_lane_s32(high, 1))};
+      return {vzip1q_s32(packed.l, packed.l), vzip2q_s32(packed.l, packed.l)};
+    } else if constexpr (kSamples == 4) {
+      return {vdupq_laneq_s32(packed.l, 2 * kVector), vdupq_laneq_s32(packed.l, 2 * kVector + 1)};
     } else {
-      return {vdupq_lane_s32(low, 0), vdupq_lane_s32(low, kSamples == 4 ? 1 : 0)};
+      const int32x4_t word = vdupq_laneq_s32(packed.l, kVector);
+      return {word, word};
     }
   }
   // With what fill_samples.h needs to find a row's pixels.

@@ -333,16 +333,23 @@ struct Scalar {
       pixels.v[i] = p[i * kSamples];
     return same;
   }
-  /// Colours of pixels, four 16-bit numbers each, as 0xDDCCBBAA, for each of a pixel's kSamples samples; the numbers
-  /// are 0 to 255.
-  template <size_t kSamples>
-  static I words_of_samples(const I& colours) {
-    I r;
-    for (size_t i = 0; i < kLanes; ++i) {
-      const uint32_t low = colours.v[i / kSamples * 2];
-      const uint32_t high = colours.v[i / kSamples * 2 + 1];
+  /// Colours of kLanes / 2 pixels, four 16-bit numbers each, as words 0xDDCCBBAA for words_of_samples; the numbers are
+  /// 0 to 255.
+  static I pack_colours(const I& colours) {
+    I r{};
+    for (size_t i = 0; i < kLanes / 2; ++i) {
+      const uint32_t low = colours.v[i * 2];
+      const uint32_t high = colours.v[i * 2 + 1];
       r.v[i] = (low & 0xFFU) | (low >> 16U) << 8U | (high & 0xFFU) << 16U | (high >> 16U) << 24U;
     }
+    return r;
+  }
+  /// Of those pixels' samples, kSamples each, one pixel's behind the other's: the words of vector kVector.
+  template <size_t kSamples, size_t kVector>
+  static I words_of_samples(const I& packed) {
+    I r;
+    for (size_t i = 0; i < kLanes; ++i)
+      r.v[i] = packed.v[(kVector * kLanes + i) / kSamples];
     return r;
   }
   /// Four distances, as SmallGroup has its crossings.

@@ -65,9 +65,10 @@ struct Sse2Quad {
   static I repeat(const int32_t* p) {
     return {_mm_castps_si128(repeat<kSamples>(reinterpret_cast<const float*>(p)).v)};  // bits that pass through
   }
-  template <size_t kSamples>
-  static I words_of_samples(I colours) {
-    return {_mm_shuffle_epi32(_mm_packus_epi16(colours.v, colours.v), kSamples == 2 ? 0x50 : 0x00)};
+  static I pack_colours(I colours) { return {_mm_packus_epi16(colours.v, colours.v)}; }
+  template <size_t kSamples, size_t kVector>
+  static I words_of_samples(I packed) {
+    return {_mm_shuffle_epi32(packed.v, kSamples == 2 ? 0x50 : kVector * 0x55)};
   }
 };
 
@@ -258,10 +259,14 @@ struct Sse2 {
     pixels = {first_of(0), first_of(4)};
     return true;
   }
-  template <size_t kSamples>
-  static I words_of_samples(I colours) {
+  static I pack_colours(I colours) {
+    const __m128i packed = _mm_packus_epi16(colours.l, colours.h);
+    return {packed, packed};
+  }
+  template <size_t kSamples, size_t kVector>
+  static I words_of_samples(I packed) {
     static_assert(kSamples == 8);
-    const __m128i word = _mm_shuffle_epi32(_mm_packus_epi16(colours.l, colours.l), 0);
+    const __m128i word = _mm_shuffle_epi32(packed.l, kVector * 0x55);
     return {word, word};
   }
   // With what fill_samples.h needs to find a row's pixels.
