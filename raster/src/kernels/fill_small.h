@@ -38,6 +38,7 @@ template <class L>
 struct FillSmall {
   using F = typename L::F;
   using I = typename L::I;
+  using Q = decltype(L::template sample_lanes<1>());
   using Group = SmallGroup<1>;
   static constexpr size_t kRowWords = kTileStride;
 
@@ -114,7 +115,8 @@ struct FillSmall {
       block.edge[e] = L::spread(&g.start[e][k]) + L::dot(L::spread(&g.ab[e][k]), lanes);
     if (is_gouraud(g, k)) {
       block.colour = spread(g.colour, k) + spread(g.colour_x, k) * L::load(Shape::kShape.both_across);
-      if constexpr (kTall) block.colour = block.colour + spread(g.colour_y, k) * L::load(Shape::kShape.both_down);
+      if constexpr (kTall && L::kLanes == 8)
+        block.colour = block.colour + spread(g.colour_y, k) * L::load(Shape::kShape.both_down);
     } else {
       block.colour = flat_colours(g.word[k]);
     }
@@ -150,6 +152,27 @@ struct FillSmall {
       block.move(edge_down, colour_down, 2 * kRowWords);
       down = down + L::set(2.0F);
       fill<true>(block, (origin + down * depth_down) + depth_across);
+    }
+  }
+
+  // The same in rows of 4, one below the other, for lanes that are no wider: no row too many, and half the registers.
+  static void fill_narrow_rows(const TileBuffers& buffers, const Group& g, size_t k) {
+    using Row = FillSmall<Q>;
+    using QF = typename Q::F;
+    auto row = Row::template first_block<true>(buffers, g, k);
+    const QF origin = Q::spread(&g.depth[k]);
+    const QF depth_down = Q::spread(&g.depth_y[k]);
+    const QF depth_across =
+        (Q::spread(&g.across[k]) + Q::load(BlockShape<true>::kShape.across)) * Q::spread(&g.depth_x[k]);
+    QF down = Q::spread(&g.down[k]);
+    typename Q::I edge_down[3];
+    typename Row::Colours colour_down;
+    Row::template steps_down<1>(g, k, edge_down, colour_down);
+    for (int32_t rows = g.height[k];;) {
+      Row::template fill<false>(row, (origin + down * depth_down) + depth_across);
+      if (--rows <= 0) return;
+      row.move(edge_down, colour_down, kRowWords);
+      down = down + Q::set(1.0F);
     }
   }
 
@@ -263,7 +286,10 @@ struct FillSmall {
 
   static void run(const TileBuffers& buffers, const Group& g, size_t k) {
     const int32_t width = g.width[k];
-    if (width <= 4) return fill_narrow(buffers, g, k);
+    if (width <= 4) {
+      if constexpr (Q::kLanes == 4) return fill_narrow_rows(buffers, g, k);
+      return fill_narrow(buffers, g, k);
+    }
     if (width <= 8) return fill_medium(buffers, g, k);
     fill_wide(buffers, g, k);
   }

@@ -14,6 +14,7 @@ struct Sse2Quad {
   struct F {
     __m128 v;
     friend F operator+(F a, F b) { return {_mm_add_ps(a.v, b.v)}; }
+    friend F operator*(F a, F b) { return {_mm_mul_ps(a.v, b.v)}; }
   };
   struct I {
     __m128i v;
@@ -21,6 +22,7 @@ struct Sse2Quad {
     friend I operator&(I a, I b) { return {_mm_and_si128(a.v, b.v)}; }
     friend I operator|(I a, I b) { return {_mm_or_si128(a.v, b.v)}; }
   };
+  static F set(float x) { return {_mm_set1_ps(x)}; }
   static I set(int32_t x) { return {_mm_set1_epi32(x)}; }
   static F spread(const float* p) { return {_mm_set1_ps(*p)}; }
   static I spread(const int32_t* p) { return {_mm_shuffle_epi32(_mm_loadu_si32(p), 0)}; }
@@ -66,6 +68,8 @@ struct Sse2Quad {
     return {_mm_castps_si128(repeat<kSamples>(reinterpret_cast<const float*>(p)).v)};  // bits that pass through
   }
   static I pack_colours(I colours) { return {_mm_packus_epi16(colours.v, colours.v)}; }
+  template <size_t kSamples>
+  static Sse2Quad sample_lanes();
   template <size_t kSamples, size_t kVector>
   static I words_of_samples(I packed) {
     return {_mm_shuffle_epi32(packed.v, kSamples == 2 ? 0x50 : kVector * 0x55)};
