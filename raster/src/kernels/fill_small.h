@@ -223,13 +223,16 @@ struct FillSmall {
     fill_rows(block, row.depth, g.height[k], across, {edge_down, colour_down});
   }
 
-  // Of each column of a wide triangle the rows that may hold something. They follow each other, as each edge shuts out
+  // Columns of a wide triangle, as wide as a row's lanes.
+  static constexpr int32_t kColumnWidth = static_cast<int32_t>(Q::kLanes);
+
+  // Of eight columns side by side the rows that may hold something. They follow each other, as each edge shuts out
   // what lies above or below a row. Found by division: a row too many on either side costs a little time and no more.
   struct ColumnRows {
     alignas(32) int32_t first[8], count[8];
-    ColumnRows(const Group& g, size_t k) {
-      static constexpr uint32_t kColumns[8] = {0, 8, 16, 24, 32, 40, 48, 56};
-      const I columns = L::load(kColumns);
+    ColumnRows(const Group& g, size_t k, int32_t first_column) {
+      static constexpr uint32_t kNumbers[8] = {0, 1, 2, 3, 4, 5, 6, 7};
+      const I columns = L::multiply16(L::load(kNumbers), L::set(kColumnWidth)) + L::set(first_column);
       const F zero = L::set(0.0F);
       const F bottom = L::set(static_cast<float>(g.height[k] - 1));
       F least = zero;
@@ -238,8 +241,8 @@ struct FillSmall {
         // The edge is highest at the last pixel of a row where a is positive. Between whole numbers above and below
         // zero lies none.
         const I ab = L::spread(&g.ab[e][k]);
-        const I highest =
-            L::spread(&g.start[e][k]) + (L::dot(ab, columns) + L::dot(L::max16(ab, L::set(0)), L::set(7)));
+        const I highest = L::spread(&g.start[e][k]) +
+                          (L::dot(ab, columns) + L::dot(L::max16(ab, L::set(0)), L::set(kColumnWidth - 1)));
         const F b = L::to_float(L::template shift_right<16>(ab));
         const F crossing = (L::to_float(highest) + L::set(0.5F)) / (zero - b);
         const I rises = L::greater(b, zero);
@@ -255,32 +258,38 @@ struct FillSmall {
   };
 
   [[gnu::noinline]] static void fill_wide(const TileBuffers& buffers, const Group& g, size_t k) {
-    const Block corner = first_block<false>(buffers, g, k);
+    using Row = FillSmall<Q>;
+    const auto corner = Row::template first_block<false>(buffers, g, k);
     const RowDepths row(g, k);
-    const ColumnRows rows(g, k);
-    const F depth_x = L::spread(&g.depth_x[k]);
-    F across = depth_across(g, k);
-    I edge_down[3];
-    Colours colour_down;
-    steps_down<1>(g, k, edge_down, colour_down);
-    Colours colour_across{L::set(0), L::set(0)};
-    if (is_gouraud(g, k)) colour_across = spread(g.colour_x, k);
-    const size_t columns = static_cast<size_t>(g.width[k] + 7) / 8;
-    for (size_t c = 0; c < columns; ++c, across = across + L::set(8.0F)) {
-      if (rows.count[c] <= 0) continue;
-      const int32_t column = static_cast<int32_t>(c) * 8;
-      const int32_t first = rows.first[c];
-      Block block = corner;
-      const I from_corner = L::set(column | first << 16);
+    const auto depth_x = Q::spread(&g.depth_x[k]);
+    auto across = Row::depth_across(g, k);
+    typename Q::I edge_down[3];
+    typename Row::Colours colour_down;
+    Row::template steps_down<1>(g, k, edge_down, colour_down);
+    typename Row::Colours colour_across{Q::set(0), Q::set(0)};
+    if (is_gouraud(g, k)) colour_across = Row::spread(g.colour_x, k);
+    ColumnRows rows(g, k, 0);
+    const int32_t columns = (g.width[k] + kColumnWidth - 1) / kColumnWidth;
+    for (int32_t c = 0; c < columns; ++c, across = across + Q::set(static_cast<float>(kColumnWidth))) {
+      int32_t of_eight = c;
+      if constexpr (8 * kColumnWidth < kTileWidth) {
+        of_eight = c % 8;
+        if (c != 0 && of_eight == 0) rows = ColumnRows(g, k, c * kColumnWidth);
+      }
+      if (rows.count[of_eight] <= 0) continue;
+      const int32_t column = c * kColumnWidth;
+      const int32_t first = rows.first[of_eight];
+      auto block = corner;
+      const auto from_corner = Q::set(column | first << 16);
       for (size_t e = 0; e < 3; ++e)
-        block.edge[e] = block.edge[e] + L::dot(L::spread(&g.ab[e][k]), from_corner);
+        block.edge[e] = block.edge[e] + Q::dot(Q::spread(&g.ab[e][k]), from_corner);
       block.colour =
-          (block.colour + colour_across * L::set(column | column << 16)) + colour_down * L::set(first | first << 16);
+          (block.colour + colour_across * Q::set(column | column << 16)) + colour_down * Q::set(first | first << 16);
       const size_t place = static_cast<size_t>(first) * kRowWords + static_cast<size_t>(column);
       block.depths += place;
       block.pixels += place;
-      const F depth_here = across * depth_x;
-      fill_rows(block, row.depth + first, rows.count[c], depth_here, {edge_down, colour_down});
+      const auto depth_here = across * depth_x;
+      Row::fill_rows(block, row.depth + first, rows.count[of_eight], depth_here, {edge_down, colour_down});
     }
   }
 

@@ -10,6 +10,7 @@ namespace auslan::raster {
 
 /// Four lanes in one register: what fill_samples.h needs for up to four samples, so that a pixel at a time is in hand.
 struct Sse2Quad {
+  static constexpr int kRowsAtOnce = 1;
   static constexpr size_t kLanes = 4;
   struct F {
     __m128 v;
