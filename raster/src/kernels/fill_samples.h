@@ -47,7 +47,7 @@ struct FillSamples {
     int32_t place[kTileHeight + 1];            ///< the first pixel in the low half, the row in the high one
     int32_t pixels[kTileHeight + 1];           ///< from the first to the last, negative
     alignas(32) float depth[kTileHeight + 8];  ///< of each row of the box, at the anchor's column
-    int32_t count = 0;
+    size_t count = 0;
 
     Rows(const Group& g, size_t k) {
       const int32_t width = g.width[k];
@@ -62,12 +62,13 @@ struct FillSamples {
       auto crossing = L::load_crossings(g.crossing[k]);
       const auto crossing_down = L::load_crossings(g.crossing_down[k]);
       const auto least = L::least_crossings(width);
-      for (int32_t j = 0; j < height; ++j) {
+      for (int32_t row = 0; row < height << 16; row += 1 << 16) {
         int32_t first, minus_last;
         L::pixels_between(crossing, least, first, minus_last);
-        place[count] = first | j << 16;
-        pixels[count] = first + minus_last - 1;
-        count += static_cast<int32_t>(static_cast<uint32_t>(pixels[count]) >> 31U);
+        const int32_t minus_count = first + minus_last - 1;
+        place[count] = first + row;
+        pixels[count] = minus_count;
+        count += static_cast<uint32_t>(minus_count) >> 31U;
         crossing = L::sum(crossing, crossing_down);
       }
     }
@@ -141,7 +142,7 @@ struct FillSamples {
     const size_t place = static_cast<size_t>(g.row[k]) * kRowWords + static_cast<size_t>(g.column[k]) * kSamples;
     float* const corner_depths = buffers.depth + place;
     uint32_t* const corner_words = buffers.colour + place;
-    for (int32_t n = 0; n < rows.count; ++n) {
+    for (size_t n = 0; n < rows.count; ++n) {
       const size_t j = static_cast<uint32_t>(rows.place[n]) >> 16U;
       const size_t first = static_cast<uint32_t>(rows.place[n]) & 0xFFFFU;
       const WI from_corner = W::spread(&rows.place[n]);
