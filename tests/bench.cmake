@@ -42,11 +42,16 @@ target_include_directories(auslan_bench_stage PRIVATE support)
 target_compile_definitions(auslan_bench_stage PRIVATE AUSLANJAM_BINARY_DIR="${PROJECT_BINARY_DIR}")
 add_executable(stage_frames bench/stage_frames.cpp)
 target_link_libraries(stage_frames PRIVATE auslan_bench_stage)
+add_executable(synthesis_cost bench/synthesis_cost.cpp)
+target_link_libraries(synthesis_cost PRIVATE auslan::standard auslan::synthesis auslan::notation auslan::lexicon)
+target_include_directories(synthesis_cost PRIVATE support)
+target_compile_definitions(synthesis_cost PRIVATE
+  AUSLANJAM_BINARY_DIR="${PROJECT_BINARY_DIR}" AUSLANJAM_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 add_executable(raster_bench
   bench/measurement.cpp bench/peer_process.cpp bench/picture_difference.cpp bench/raster_bench.cpp bench/report.cpp)
 target_link_libraries(raster_bench PRIVATE auslan_bench_stage benchmark::benchmark nlohmann_json::nlohmann_json)
 add_dependencies(tests_bench
-  raster_bench raster_frames stage_frames bench_scenes auslan_baked_figure auslan_built_lexicon)
+  raster_bench raster_frames stage_frames synthesis_cost bench_scenes auslan_baked_figure auslan_built_lexicon)
 
 # Mesa in memory, where it is installed.
 find_path(OSMESA_INCLUDE_DIR GL/osmesa.h)

@@ -19,7 +19,8 @@ namespace {
 
 constexpr uint32_t kLeaf = 4;  // triangles of a box that is not divided
 constexpr size_t kDeepest = 64;
-constexpr double kNowhere = 1e9;  // metres
+// The grid: so many cells at most, and none smaller than this.
+constexpr double kMostCells = 20000.0, kSmallestCell = 0.008;  // metres
 
 double square(const Vec3& v) {
   return glm::dot(v, v);
@@ -113,11 +114,15 @@ Vec3 nearest_weights(const std::array<Vec3, 3>& corner, const Vec3& point) {
   return {va / sum, vb / sum, vc / sum};
 }
 
-double squared_distance(const Vec3& low, const Vec3& high, const Vec3& point) {
-  const double x = std::max(std::max(low.x - point.x, point.x - high.x), 0.0);
-  const double y = std::max(std::max(low.y - point.y, point.y - high.y), 0.0);
-  const double z = std::max(std::max(low.z - point.z, point.z - high.z), 0.0);
-  return (x * x + y * y) + z * z;
+inline double squared_distance(const Vec3& low, const Vec3& high, const Vec3& point) {
+  double sum = 0.0;
+  for (glm::length_t i = 0; i < 3; ++i) {
+    const double below = low[i] - point[i], above = point[i] - high[i];
+    const double larger = below > above ? below : above;
+    const double beyond = larger > 0.0 ? larger : 0.0;
+    sum += beyond * beyond;
+  }
+  return sum;
 }
 
 /// Of a triangle seen from the origin, steradians, positive from behind (van Oosterom & Strackee 1983).
@@ -146,16 +151,18 @@ Solid::Solid(const Mesh& mesh) {
   for (const auto& [vertex, triangles] : triangles_of) {
     if (is_closed(indices, triangles)) {
       parts_.push_back(make_part(mesh.positions, indices, triangles));
+      parts_.back().closed = true;
     } else {
       open.insert(open.end(), triangles.begin(), triangles.end());
     }
   }
   if (!open.empty()) parts_.push_back(make_part(mesh.positions, indices, open));
   for (size_t i = 0; i < parts_.size(); ++i) {
-    const Part& part = parts_[i];
-    low_ = i == 0 ? part.low : glm::min(low_, part.low);
-    high_ = i == 0 ? part.high : glm::max(high_, part.high);
+    const Box& box = parts_[i].boxes.front();
+    low_ = i == 0 ? box.low : glm::min(low_, box.low);
+    high_ = i == 0 ? box.high : glm::max(high_, box.high);
   }
+  if (!parts_.empty()) make_grid();
 }
 
 Solid::Part Solid::make_part(std::span<const glm::vec3> positions, std::span<const uint32_t> indices,
@@ -179,11 +186,10 @@ Solid::Part Solid::make_part(std::span<const glm::vec3> positions, std::span<con
       triangle.corner[c] = Vec3(positions[index(i, c)]);
     // In millimetres: twice the area of a triangle of skin is far below what unit() takes for zero.
     const std::array<Vec3, 3>& at = triangle.corner;
-    triangle.middle = (at[0] + at[1] + at[2]) / 3.0;
-    for (const Vec3& corner : at)
-      triangle.radius = std::max(triangle.radius, std::sqrt(square(corner - triangle.middle)));
-    triangle.radius *= 1.0 + 1e-9;
     triangle.normal = unit(glm::cross((at[1] - at[0]) * 1e3, (at[2] - at[0]) * 1e3), Vec3(0.0));
+    triangle.middle = (1.0 / 3.0) * ((at[0] + at[1]) + at[2]);
+    for (const Vec3& corner : at)
+      triangle.radius = std::max(triangle.radius, (1.0 + 1e-12) * std::sqrt(square(corner - triangle.middle)) + 1e-12);
     for (size_t c = 0; c < 3; ++c) {
       of_corner[index(i, c)] += triangle.normal * corner_angle(at[c], at[(c + 1) % 3], at[(c + 2) % 3]);
       edges.push_back({edge(i, c), part.triangles.size(), c});
@@ -206,11 +212,8 @@ Solid::Part Solid::make_part(std::span<const glm::vec3> positions, std::span<con
   // The tree is made of numbers; the triangles are moved once.
   std::vector<uint32_t> order(part.triangles.size());
   std::iota(order.begin(), order.end(), 0U);
-  std::vector<Box> boxes = {{Vec3(0.0), Vec3(0.0), 0, static_cast<uint32_t>(order.size())}};
-  divide(part, boxes, 0, order);
-  part.low = boxes.front().low;
-  part.high = boxes.front().high;
-  add_four(part, boxes, 0);
+  part.boxes.push_back({Vec3(0.0), Vec3(0.0), 0, static_cast<uint32_t>(order.size())});
+  divide(part, 0, order);
   std::vector<Triangle> sorted;
   sorted.reserve(order.size());
   for (const uint32_t triangle : order)
@@ -219,8 +222,8 @@ Solid::Part Solid::make_part(std::span<const glm::vec3> positions, std::span<con
   return part;
 }
 
-void Solid::divide(const Part& part, std::vector<Box>& boxes, uint32_t box_index, std::span<uint32_t> order) {
-  Box box = boxes[box_index];
+void Solid::divide(Part& part, uint32_t box_index, std::span<uint32_t> order) {
+  Box box = part.boxes[box_index];
   const std::span<uint32_t> own = order.subspan(box.first, box.count);
   box.low = Vec3(std::numeric_limits<double>::max());
   box.high = -box.low;
@@ -234,7 +237,7 @@ void Solid::divide(const Part& part, std::vector<Box>& boxes, uint32_t box_index
   if (count <= kLeaf) {
     // In the order of the mesh, so that ties do not depend on how a library selects.
     std::ranges::sort(own);
-    boxes[box_index] = box;
+    part.boxes[box_index] = box;
     return;
   }
   const Vec3 extent = box.high - box.low;
@@ -247,103 +250,66 @@ void Solid::divide(const Part& part, std::vector<Box>& boxes, uint32_t box_index
     const double x = middle(a), y = middle(b);
     return x < y || (x == y && a < b);
   });
-  const auto children = static_cast<uint32_t>(boxes.size());
-  boxes.push_back({Vec3(0.0), Vec3(0.0), box.first, count / 2});
-  boxes.push_back({Vec3(0.0), Vec3(0.0), box.first + count / 2, count - count / 2});
+  const auto children = static_cast<uint32_t>(part.boxes.size());
+  part.boxes.push_back({Vec3(0.0), Vec3(0.0), box.first, count / 2});
+  part.boxes.push_back({Vec3(0.0), Vec3(0.0), box.first + count / 2, count - count / 2});
   box.first = children;
   box.count = 0;
-  boxes[box_index] = box;
-  divide(part, boxes, children, order);
-  divide(part, boxes, children + 1, order);
+  part.boxes[box_index] = box;
+  divide(part, children, order);
+  divide(part, children + 1, order);
 }
 
-uint32_t Solid::add_four(Part& part, std::span<const Box> boxes, uint32_t box) {
-  // Those two levels below, or leaves above that.
-  std::vector<uint32_t> below = {box};
-  for (int level = 0; level < 2; ++level) {
-    std::vector<uint32_t> next;
-    for (const uint32_t one : below) {
-      if (boxes[one].count > 0)
-        next.push_back(one);
-      else
-        next.insert(next.end(), {boxes[one].first, boxes[one].first + 1});
-    }
-    below = std::move(next);
-  }
-  const auto index = static_cast<uint32_t>(part.tree.size());
-  part.tree.emplace_back();
-  FourBoxes four;
-  for (size_t c = 0; c < 4; ++c) {
-    const Box* const child = c < below.size() ? &boxes[below[c]] : nullptr;
-    for (size_t axis = 0; axis < 3; ++axis) {
-      const auto i = static_cast<glm::length_t>(axis);
-      four.middle[axis][c] = child != nullptr ? 0.5 * (child->low[i] + child->high[i]) : kNowhere;
-      // A little more, for what is rounded.
-      four.half[axis][c] = child != nullptr ? 0.5 * (child->high[i] - child->low[i]) * (1.0 + 1e-9) + 1e-12 : 0.0;
-    }
-    if (child == nullptr) continue;
-    four.count[c] = child->count;
-    four.first[c] = child->count > 0 ? child->first : add_four(part, boxes, below[c]);
-  }
-  part.tree[index] = four;
-  return index;
-}
-
-std::optional<NearestSurface> Solid::nearest_of(const Part& part, const Vec3& point, double within) {
-  double best = within * within, radius = within;
+std::optional<NearestSurface> Solid::nearest_of(const Part& part, const Vec3& point, double within,
+                                                const Triangle* guess) {
+  double best = within * within;
   const Triangle* nearest = nullptr;
   Vec3 weights(0.0);
-  const auto take = [&](const Triangle& triangle) {
-    // A ball that holds the triangle tells most of those that are too far.
-    const double reach = radius + triangle.radius;
-    if (square(point - triangle.middle) > reach * reach) return;
+  double reach = std::sqrt(best);
+  const auto consider = [&](const Triangle& triangle) {
+    const double touching = reach + triangle.radius;
+    if (square(point - triangle.middle) > touching * touching) return;
     const Vec3 w = nearest_weights(triangle.corner, point);
     const Vec3 place = (triangle.corner[0] * w.x + triangle.corner[1] * w.y) + triangle.corner[2] * w.z;
     const double distance = square(point - place);
-    // Of triangles that are equally near, one with an area tells inside from outside; of these the first.
-    if (distance > best) return;
-    if (distance == best && nearest != nullptr &&
-        (triangle.normal == Vec3(0.0) || (nearest < &triangle && nearest->normal != Vec3(0.0))))
-      return;
+    // Of triangles that are equally near, one with an area tells inside from outside.
+    if (distance > best || (distance == best && nearest != nullptr && triangle.normal == Vec3(0.0))) return;
     best = distance;
-    radius = std::sqrt(best);
+    reach = std::sqrt(best);
     nearest = &triangle;
     weights = w;
   };
+  // A near one to begin with spares most of the others; it is met again in its turn.
+  if (guess != nullptr) consider(*guess);
   struct Waiting {
-    uint32_t first, count;
+    uint32_t box;
     double distance;  // squared, from the point to the box
   };
-  std::array<Waiting, 3 * kDeepest> stack;
-  stack[0] = {0, 0, 0.0};
-  size_t depth = 1;
+  std::array<Waiting, kDeepest> stack;
+  size_t depth = 0;
+  const auto wait = [&](uint32_t box, double distance) {
+    if (distance <= best) stack[depth++] = {box, distance};
+  };
+  wait(0, squared_distance(part.boxes[0].low, part.boxes[0].high, point));
   while (depth > 0) {
     const Waiting next = stack[--depth];
     if (next.distance > best) continue;
-    if (next.count > 0) {
-      for (uint32_t i = next.first; i < next.first + next.count; ++i)
-        take(part.triangles[i]);
+    const Box& box = part.boxes[next.box];
+    if (box.count == 0) {
+      const Box& a = part.boxes[box.first];
+      const Box& b = part.boxes[box.first + 1];
+      const double to_a = squared_distance(a.low, a.high, point), to_b = squared_distance(b.low, b.high, point);
+      if (to_a <= to_b) {
+        wait(box.first + 1, to_b);
+        wait(box.first, to_a);
+      } else {
+        wait(box.first, to_a);
+        wait(box.first + 1, to_b);
+      }
       continue;
     }
-    const FourBoxes& four = part.tree[next.first];
-    std::array<double, 4> distance{};
-    for (size_t axis = 0; axis < 3; ++axis) {
-      const double at = point[static_cast<glm::length_t>(axis)];
-      for (size_t c = 0; c < 4; ++c) {
-        const double beyond = std::abs(at - four.middle[axis][c]) - four.half[axis][c];
-        const double twice = beyond + std::abs(beyond);  // 0 within
-        distance[c] += 0.25 * (twice * twice);
-      }
-    }
-    // The nearest on top.
-    const size_t base = depth;
-    for (size_t c = 0; c < 4; ++c) {
-      if (!(distance[c] <= best)) continue;
-      size_t at = depth++;
-      for (; at > base && stack[at - 1].distance < distance[c]; --at)
-        stack[at] = stack[at - 1];
-      stack[at] = {four.first[c], four.count[c], distance[c]};
-    }
+    for (uint32_t i = box.first; i < box.first + box.count; ++i)
+      consider(part.triangles[i]);
   }
   if (nearest == nullptr) return std::nullopt;
   NearestSurface found;
@@ -362,15 +328,194 @@ std::optional<NearestSurface> Solid::nearest_of(const Part& part, const Vec3& po
   return found;
 }
 
+std::array<int, 3> Solid::cell_of(const Vec3& point) const {
+  std::array<int, 3> cell{};
+  for (size_t i = 0; i < 3; ++i) {
+    const auto axis = static_cast<glm::length_t>(i);
+    const double place = std::clamp((point[axis] - low_[axis]) * grid_.cells_per_metre, 0.0, grid_.count[i] - 1.0);
+    cell[i] = static_cast<int>(place);
+  }
+  return cell;
+}
+
+void Solid::make_grid() {
+  const Vec3 extent = glm::max(high_ - low_, Vec3(1e-6));
+  grid_.cell = kSmallestCell;
+  const auto too_many = [&] {
+    double cells = 1.0;
+    for (glm::length_t i = 0; i < 3; ++i)
+      cells *= extent[i] / grid_.cell + 1.0;
+    return cells > kMostCells;
+  };
+  while (too_many())
+    grid_.cell *= 1.0625;
+  grid_.cells_per_metre = 1.0 / grid_.cell;
+  size_t size = 1;
+  for (size_t i = 0; i < 3; ++i) {
+    grid_.count[i] = static_cast<int>(extent[static_cast<glm::length_t>(i)] * grid_.cells_per_metre) + 1;
+    size *= static_cast<size_t>(grid_.count[i]);
+  }
+  grid_.cells.resize(size);
+  mark_crossed();
+  find_sides();
+  find_gaps();
+}
+
+void Solid::mark_crossed() {
+  for (uint32_t p = 0; p < parts_.size(); ++p) {
+    for (uint32_t t = 0; t < parts_[p].triangles.size(); ++t) {
+      const auto& [a, b, c] = parts_[p].triangles[t].corner;
+      const std::array<int, 3> first = cell_of(glm::min(glm::min(a, b), c)),
+                               last = cell_of(glm::max(glm::max(a, b), c));
+      for (int z = first[2]; z <= last[2]; ++z)
+        for (int y = first[1]; y <= last[1]; ++y)
+          for (int x = first[0]; x <= last[0]; ++x)
+            grid_.cells[static_cast<size_t>((z * grid_.count[1] + y) * grid_.count[0] + x)] = {0, Grid::Side::kUnknown,
+                                                                                               p, t};
+    }
+  }
+}
+
+void Solid::find_sides() {
+  // What can be reached without crossing a surface lies on one side of it.
+  std::vector<std::array<int, 3>> waiting;
+  const auto index = [this](const std::array<int, 3>& at) {
+    return static_cast<size_t>((at[2] * grid_.count[1] + at[1]) * grid_.count[0] + at[0]);
+  };
+  const auto flood = [&](const std::array<int, 3>& from) {
+    const Vec3 middle = low_ + (Vec3(from[0], from[1], from[2]) + 0.5) * grid_.cell;
+    const auto surface = nearest(middle, std::numeric_limits<double>::max(), 0.0, {});
+    const auto side = surface && surface->distance < 0.0 ? Grid::Side::kInside : Grid::Side::kOutside;
+    grid_.cells[index(from)].side = side;
+    waiting.push_back(from);
+    while (!waiting.empty()) {
+      const std::array<int, 3> at = waiting.back();
+      waiting.pop_back();
+      for (size_t axis = 0; axis < 3; ++axis) {
+        for (const int step : {-1, 1}) {
+          std::array<int, 3> next = at;
+          next[axis] += step;
+          if (next[axis] < 0 || next[axis] >= grid_.count[axis]) continue;
+          const size_t i = index(next);
+          if (grid_.cells[i].gap == 0 || grid_.cells[i].side != Grid::Side::kUnknown) continue;
+          grid_.cells[i].side = side;
+          waiting.push_back(next);
+        }
+      }
+    }
+  };
+  for (int z = 0; z < grid_.count[2]; ++z)
+    for (int y = 0; y < grid_.count[1]; ++y)
+      for (int x = 0; x < grid_.count[0]; ++x)
+        if (const size_t i = index({x, y, z}); grid_.cells[i].gap != 0 && grid_.cells[i].side == Grid::Side::kUnknown)
+          flood({x, y, z});
+  // A surface with a rim does not part inside from outside.
+  for (const Part& part : parts_) {
+    if (part.closed) continue;
+    const std::array<int, 3> first = cell_of(part.boxes.front().low), last = cell_of(part.boxes.front().high);
+    for (int z = first[2]; z <= last[2]; ++z)
+      for (int y = first[1]; y <= last[1]; ++y)
+        for (int x = first[0]; x <= last[0]; ++x)
+          grid_.cells[index({x, y, z})].side = Grid::Side::kUnknown;
+  }
+}
+
+void Solid::find_gaps() {
+  // The chessboard's distance in two sweeps (Rosenfeld & Pfaltz 1968).
+  const auto [nx, ny, nz] = grid_.count;
+  const int row = nx, layer = nx * ny;
+  // Half of a cell's neighbours: those that a sweep has passed.
+  const auto sweep = [&](int x, int y, int z, int sign) {
+    const int at = z * layer + y * row + x;
+    int least = grid_.cells[static_cast<size_t>(at)].gap;
+    if (least == 0) return;
+    const auto take = [&](int dx, int dy, int dz) {
+      const int i = x + sign * dx, j = y + sign * dy, k = z + sign * dz;
+      if (i < 0 || j < 0 || k < 0 || i >= nx || j >= ny || k >= nz) return;
+      least = std::min(least, grid_.cells[static_cast<size_t>(k * layer + j * row + i)].gap + 1);
+    };
+    take(-1, 0, 0);
+    for (int dx = -1; dx <= 1; ++dx) {
+      take(dx, -1, 0);
+      for (int dy = -1; dy <= 1; ++dy)
+        take(dx, dy, -1);
+    }
+    grid_.cells[static_cast<size_t>(at)].gap = static_cast<uint8_t>(least);
+  };
+  for (int z = 0; z < nz; ++z)
+    for (int y = 0; y < ny; ++y)
+      for (int x = 0; x < nx; ++x)
+        sweep(x, y, z, 1);
+  for (int z = nz; z-- > 0;)
+    for (int y = ny; y-- > 0;)
+      for (int x = nx; x-- > 0;)
+        sweep(x, y, z, -1);
+}
+
+Solid::Whereabouts Solid::whereabouts(const Vec3& point) const {
+  constexpr double kRounding = 1e-9;
+  const double beyond = squared_distance(low_, high_, point);
+  if (beyond > 0.0) return {Grid::Side::kOutside, std::sqrt(beyond) - kRounding, nullptr};
+  const std::array<int, 3> at = cell_of(point);
+  const Grid::Cell& cell = grid_.cells[static_cast<size_t>((at[2] * grid_.count[1] + at[1]) * grid_.count[0] + at[0])];
+  return {cell.side, (std::max<int>(cell.gap, 1) - 1) * grid_.cell - kRounding, cell.gap == 0 ? &cell : nullptr};
+}
+
+double Solid::clearance(const Vec3& point) const {
+  if (parts_.empty()) return std::numeric_limits<double>::max();
+  const Whereabouts at = whereabouts(point);
+  return at.side == Grid::Side::kOutside ? at.gap : -1.0;
+}
+
+std::optional<NearestSurface> Solid::below(const Vec3& point, double depth, double* above) const {
+  double unused = 0.0;
+  double& margin = above != nullptr ? *above : unused;
+  margin = std::numeric_limits<double>::max();
+  if (parts_.empty()) return std::nullopt;
+  const Whereabouts at = whereabouts(point);
+  double within = std::numeric_limits<double>::max();
+  if (at.side == Grid::Side::kOutside) {
+    within = -depth;
+    margin = at.gap + depth;
+    if (margin > 0.0 || within < 0.0) return std::nullopt;
+    margin = 0.0;
+  }
+  auto found = nearest(point, within, std::max(0.0, -depth), at);
+  if (found && found->distance < -depth) {
+    margin = 0.0;
+    return found;
+  }
+  if (found) margin = found->distance + depth;
+  // Parts beside the point have been sought no farther off than asked.
+  for (const Part& part : parts_) {
+    const double beside = squared_distance(part.boxes.front().low, part.boxes.front().high, point);
+    if (beside > 0.0) margin = std::min(margin, std::max(0.0, std::sqrt(beside) + depth));
+  }
+  return std::nullopt;
+}
+
 std::optional<NearestSurface> Solid::nearest(const Vec3& point, double within) const {
+  if (parts_.empty()) return std::nullopt;
+  return nearest(point, within, within, whereabouts(point));
+}
+
+std::optional<NearestSurface> Solid::nearest(const Vec3& point, double within, double within_beside,
+                                             const Whereabouts& at) const {
+  if (at.gap > within) return std::nullopt;
   std::optional<NearestSurface> outside;
   std::optional<NearestSurface> inside;
-  for (const Part& part : parts_) {
+  for (uint32_t i = 0; i < parts_.size(); ++i) {
+    const Part& part = parts_[i];
     // Beyond a part's box a point is outside the part, and only a nearer surface counts.
-    const bool beyond = squared_distance(part.low, part.high, point) > 0.0;
-    if (beyond && inside) continue;
-    const auto found = nearest_of(part, point, beyond && outside ? outside->distance : within);
+    const Box& box = part.boxes.front();
+    const bool beyond = squared_distance(box.low, box.high, point) > 0.0;
+    if (beyond && (inside || within_beside <= 0.0)) continue;
+    const Triangle* guess = at.cell != nullptr && at.cell->part == i ? &part.triangles[at.cell->triangle] : nullptr;
+    const double reach = !beyond ? within : outside ? std::min(outside->distance, within_beside) : within_beside;
+    auto found = nearest_of(part, point, reach, guess);
     if (!found) continue;
+    // The way past a rim may come from behind the surface.
+    if (beyond) found->distance = std::abs(found->distance);
     if (found->distance < 0.0) {
       if (!inside || found->distance < inside->distance) inside = found;
     } else if (!outside || found->distance < outside->distance) {
@@ -382,7 +527,8 @@ std::optional<NearestSurface> Solid::nearest(const Vec3& point, double within) c
 
 bool Solid::contains(const Vec3& point) const {
   return std::ranges::any_of(parts_, [&point](const Part& part) {
-    if (squared_distance(part.low, part.high, point) > 0.0) return false;
+    const Box& all = part.boxes.front();
+    if (squared_distance(all.low, all.high, point) > 0.0) return false;
     double angle = 0.0;
     for (const Triangle& triangle : part.triangles)
       angle += solid_angle(triangle.corner[0] - point, triangle.corner[1] - point, triangle.corner[2] - point);

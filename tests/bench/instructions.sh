@@ -4,8 +4,9 @@
 #   instructions.sh PROGRAMS            exit 0 when none has grown, 1 when one has, 77 where there is no valgrind
 #   instructions.sh --print PROGRAMS    prints the file with the counts that hold now
 # PROGRAMS is the folder of raster_frames, which draws the scenes of the rasteriser, and stage_frames, which draws the
-# figure as it signs. A frame is a run of 11 frames less a run of 1, divided by 10: what the program does once drops out,
-# and the first frame, which has to write every pixel, with it. The caches are those of a small processor.
+# figure as it signs, and synthesis_cost, which synthesises a sentence of eleven signs and letters. A frame, or a sentence, is
+# a run of 11 less a run of 1, divided by 10: what the program does once drops out, and the first frame, which has to
+# write every pixel, with it. The caches are those of a small processor.
 set -u -o pipefail
 list=$(dirname -- "$(readlink -f -- "${BASH_SOURCE[0]}")")/instructions.txt
 print=
@@ -22,10 +23,11 @@ trap 'rm -rf "$work"' EXIT
 # count FRAMES ARGUMENT...: "instructions misses" of a whole run.
 count() {
   local frames=$1 scene=$2 width=$3 height=$4 samples=$5 kernel=$6 redraw=$7 program=$programs/raster_frames
+  local arguments=("$scene" "$width" "$height" "$samples" "$kernel" 1 "$redraw" "$frames")
   [[ $scene != figure* ]] || program=$programs/stage_frames
+  [[ $scene != sentence ]] || program=$programs/synthesis_cost arguments=(sentence "$frames")
   if ! valgrind --tool=cachegrind --I1=32768,8,64 --D1=24576,6,64 --LL=1048576,16,64 --cache-sim=yes \
-    --cachegrind-out-file="$work/out" "$program" "$scene" "$width" "$height" "$samples" "$kernel" 1 "$redraw" "$frames" \
-    >"$work/log" 2>&1; then
+    --cachegrind-out-file="$work/out" "$program" "${arguments[@]}" >"$work/log" 2>&1; then
     cat "$work/log" >&2
     return 1
   fi

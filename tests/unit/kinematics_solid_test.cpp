@@ -136,6 +136,45 @@ TEST(Solid, SeamsDoNotTakeASurfaceApartAndSheetsBelongTogether) {
   EXPECT_NEAR(Solid(sheets).nearest({0.2, 0.2, 0.7}, 5.0)->distance, -0.3, 1e-7);
 }
 
+TEST(Solid, WhatLiesBelowADepthIsWhatTheNearestSurfaceTells) {
+  Mesh boxes;
+  add_box({0, 0, 0}, {0.1, 0.2, 0.3}, boxes);
+  add_box({0.05, 0.01, 0.02}, {0.17, 0.15, 0.15}, boxes);
+  add_box({-0.3, 0.25, 0}, {-0.2, 0.3, 0.1}, boxes);
+  // Without its last face a box has a rim.
+  Mesh open = boxes;
+  open.indices.resize(open.indices.size() - 6);
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> place(-0.4, 0.4), depth(-0.03, 0.03);
+  for (const Mesh& mesh : {boxes, open, sphere(0.1, 30, 60)}) {
+    const Solid solid(mesh);
+    int below = 0, clear = 0;
+    for (int i = 0; i < 30000; ++i) {
+      const Vec3 p(place(random), place(random), place(random));
+      const double limit = depth(random);
+      const auto nearest = solid.nearest(p, 10.0);
+      ASSERT_TRUE(nearest);
+      double above = -1.0;
+      const auto found = solid.below(p, limit, &above);
+      ASSERT_GE(above, 0.0);
+      ASSERT_LE(above, std::max(0.0, nearest->distance + limit) + 1e-9);
+      ASSERT_EQ(found.has_value(), nearest->distance < -limit) << p.x << " " << p.y << " " << p.z << ", " << limit;
+      if (found) {
+        ASSERT_EQ(found->distance, nearest->distance);
+        ASSERT_EQ(found->position, nearest->position);
+        ASSERT_EQ(found->normal, nearest->normal);
+      }
+      below += found.has_value();
+      ASSERT_LE(solid.clearance(p), std::abs(nearest->distance));
+      if (solid.clearance(p) < 0.05) continue;
+      ++clear;
+      ASSERT_GT(nearest->distance, 0.05);
+    }
+    EXPECT_GT(below, 150);
+    EXPECT_GT(clear, 10000);
+  }
+}
+
 TEST(Solid, NothingIsFoundBeyondTheReach) {
   Mesh mesh;
   add_box({0, 0, 0}, {1, 1, 1}, mesh);

@@ -33,6 +33,15 @@ class Solid {
   /// which it is deepest: never deeper than it truly is below the surface of all of them together.
   std::optional<NearestSurface> nearest(const Vec3& point, double within) const;
 
+  /// The same for a point that lies deeper than `depth` metres (negative: or outside, but nearer than that), and
+  /// nothing for any other: most points are told from a grid, without asking for their nearest surface. `above`, where
+  /// it is not null, is set to how far the point has to move at least to be so deep, metres.
+  std::optional<NearestSurface> below(const Vec3& point, double depth, double* above = nullptr) const;
+
+  /// How far from the surface a point outside is at least, metres, told from the grid alone; negative where the grid
+  /// does not tell it to be outside.
+  double clearance(const Vec3& point) const;
+
   /// Whether a part winds round the point by more than half (the generalised winding number of Jacobson, Kavan &
   /// Sorkine-Hornung 2013). It takes every triangle, so it is slow; it is right where the sign of nearest() may not be:
   /// where a surface touches itself, as lips do, and near a rim.
@@ -46,7 +55,7 @@ class Solid {
   struct Triangle {
     std::array<Vec3, 3> corner;
     Vec3 middle{0.0};                     ///< of a ball that holds it
-    double radius = 0.0;                  ///< metres
+    double radius = 0.0;                  ///< of that ball
     Vec3 normal{0.0};                     ///< unit, or zero without area
     std::array<Vec3, 3> edge_normal{};    ///< of corner i to corner i + 1; any length
     std::array<Vec3, 3> corner_normal{};  ///< any length
@@ -57,25 +66,49 @@ class Solid {
     uint32_t first = 0;  ///< of its triangles; of a node with children: the first child, the other follows
     uint32_t count = 0;  ///< of its triangles; 0: it has children
   };
-  /// The same tree as it is asked: four boxes side by side. Unused ones are far away.
-  struct FourBoxes {
-    std::array<std::array<double, 4>, 3> middle, half;  ///< by axis
-    std::array<uint32_t, 4> first{};  ///< of a box's triangles, or the four boxes below it
-    std::array<uint32_t, 4> count{};  ///< of a box's triangles; 0: there are boxes below it
-  };
   struct Part {
     std::vector<Triangle> triangles;
-    Vec3 low{0.0}, high{0.0};
-    std::vector<FourBoxes> tree;  ///< the root first
+    std::vector<Box> boxes;  ///< the root first
+    bool closed = false;
   };
+
+  /// Of cells in the box round everything: how far from all surfaces each is at least, and on which side of them.
+  struct Grid {
+    enum class Side : uint8_t { kUnknown, kOutside, kInside };
+    struct Cell {
+      uint8_t gap = UINT8_MAX;          ///< steps to the next cell that a surface crosses; 0: one crosses this
+      Side side = Side::kUnknown;       ///< of a crossed cell unknown
+      uint32_t part = 0, triangle = 0;  ///< one that crosses
+    };
+    double cell = 0.0, cells_per_metre = 0.0;  ///< length of an edge, metres
+    std::array<int, 3> count{};                ///< of cells
+    std::vector<Cell> cells;                   ///< the first axis runs fastest
+  };
+  struct Whereabouts {
+    Grid::Side side = Grid::Side::kUnknown;
+    double gap = 0.0;                  ///< metres to the surface, at least
+    const Grid::Cell* cell = nullptr;  ///< where a surface crosses it
+  };
+
+  std::array<int, 3> cell_of(const Vec3& point) const;
+  void make_grid();
+  void mark_crossed();
+  void find_sides();
+  void find_gaps();
+  Whereabouts whereabouts(const Vec3& point) const;
 
   static Part make_part(std::span<const glm::vec3> positions, std::span<const uint32_t> indices,
                         std::span<const uint32_t> triangles);
-  static void divide(const Part& part, std::vector<Box>& boxes, uint32_t box, std::span<uint32_t> order);
-  static uint32_t add_four(Part& part, std::span<const Box> boxes, uint32_t box);
-  static std::optional<NearestSurface> nearest_of(const Part& part, const Vec3& point, double within);
+  static void divide(Part& part, uint32_t box, std::span<uint32_t> order);
+  /// `within_beside` for the parts whose box does not hold the point.
+  std::optional<NearestSurface> nearest(const Vec3& point, double within, double within_beside,
+                                        const Whereabouts& at) const;
+  /// `guess` may be null: a triangle of the part that may be near.
+  static std::optional<NearestSurface> nearest_of(const Part& part, const Vec3& point, double within,
+                                                  const Triangle* guess);
 
   std::vector<Part> parts_;
+  Grid grid_;
   Vec3 low_{1.0}, high_{-1.0};
 };
 

@@ -15,9 +15,6 @@ namespace {
 
 constexpr int kIterations = 24, kPatience = 7;  // rounds without progress
 constexpr double kProgress = 0.0003;            // metres
-constexpr double kDeepest = 0.25;               // no part of a body is thicker than twice this, metres
-constexpr double kTells = 0.003;                // metres that a point has to be off to tell of its neighbours
-constexpr double kAhead = 0.03;                 // metres
 constexpr double kFarthest = 0.06;              // from what is to be touched, metres
 // A turn of a radian counts as much as so many metres of shift.
 constexpr double kTurnLength = 0.2;
@@ -86,91 +83,96 @@ double length(const Vec3& v) {
   return std::sqrt(glm::dot(v, v));
 }
 
-/// A distance that was found before: nothing comes nearer to a surface than by the way that it has gone.
-struct Remembered {
-  Vec3 at{0.0};  ///< in the solid's frame
-  double distance = -1.0;
-  bool still_beyond(double reach, const Vec3& now) const {
-    const double spare = distance - reach - 1e-9;
-    if (spare <= 0.0) return false;
-    const Vec3 way = now - at;
-    return glm::dot(way, way) < spare * spare;
-  }
+/// A transform of many points.
+struct Motion {
+  glm::dmat3 turn;
+  Vec3 shift;
+
+  explicit Motion(const Transform& transform) : turn(glm::mat3_cast(transform.rotation)), shift(transform.position) {}
+  Vec3 operator()(const Vec3& point) const { return turn * point + shift; }
 };
 
-/// Places whose distance tells that others near them are far enough.
-class Tellers {
+Transform solid_from(const Obstacle& obstacle, const Transform& world_from_patch) {
+  const Quat back = glm::conjugate(obstacle.world_from_solid.rotation);
+  return {back * world_from_patch.rotation, back * (world_from_patch.position - obstacle.world_from_solid.position)};
+}
+
+/// How far the ball of a patch is at least from where any of it would be too deep, metres; negative: not known.
+double clear_by(const Vec3& world_centre, const SurfacePatch& patch, const Obstacle& obstacle, const Motion& in_solid) {
+  const double room = patch.radius + std::max(0.0, -obstacle.allowed);
+  const Vec3 apart = world_centre - obstacle.centre;
+  const double reach = room + obstacle.radius;
+  const double square = glm::dot(apart, apart);
+  if (square > reach * reach) return std::sqrt(square) - reach;
+  return obstacle.solid->clearance(in_solid(patch.centre)) - room;
+}
+
+/// The points of a hand that are too deep, as the hand moves by small steps: what is clear by more than it has moved
+/// since is not looked at again.
+class DeepPoints {
  public:
-  void add(const Remembered& one) {
-    if (count_ < all_.size()) all_[count_++] = one;
+  DeepPoints(std::span<const SurfacePatch> hand, std::span<const Obstacle> obstacles)
+      : hand_(hand), obstacles_(obstacles) {
+    size_t points = 0;
+    for (const SurfacePatch& patch : hand)
+      points += patch.points.size();
+    of_patch_.resize(hand.size() * obstacles.size(), 0.0);
+    of_point_.resize(points * obstacles.size(), 0.0);
   }
-  bool tell_beyond(double reach, const Vec3& now) const {
-    const std::span<const Remembered> those = std::span(all_).first(count_);
-    return std::ranges::any_of(those, [&](const Remembered& one) { return one.still_beyond(reach, now); });
+
+  /// Calls `deep(point, depth beyond what is allowed, way out)` for each.
+  template <class Deep>
+  void each(const Transform& wrist, const Deep& deep) {
+    if (moving_) {
+      const Quat &a = before_.rotation, &b = wrist.rotation;
+      const Quat apart = glm::dot(a, b) < 0.0 ? a + b : a - b;
+      shifted_ += length(wrist.position - before_.position);
+      // A point goes no farther than by twice the chord of the quaternions times its distance.
+      turned_ += 2.0 * std::sqrt(glm::dot(apart, apart));
+    }
+    before_ = wrist;
+    moving_ = true;
+    double* of_patch = of_patch_.data();
+    double* of_point = of_point_.data();
+    const Motion in_world(wrist);
+    for (const SurfacePatch& patch : hand_) {
+      const double gone = shifted_ + turned_ * (length(patch.centre) + patch.radius);
+      const Vec3 centre = in_world(patch.centre);
+      for (const Obstacle& obstacle : obstacles_) {
+        each_of(patch, centre, obstacle, wrist, gone, *of_patch++, of_point, deep);
+        of_point += patch.points.size();
+      }
+    }
   }
 
  private:
-  std::array<Remembered, 16> all_;
-  size_t count_ = 0;
-};
-
-/// What is remembered of a patch and an obstacle while both keep their form and the obstacle its place.
-struct Memory {
-  Remembered centre;
-  std::vector<Remembered> points;
-};
-
-/// Calls `deep(point index, distance to the surface, way out)` for the points of a patch that are nearer to the
-/// surface than `limit` (metres, negative inside), which may shrink meanwhile. `centres`: of patches that were asked
-/// about this obstacle before.
-template <class Deep>
-void each_point_below(const double& limit, const PlacedPatch& placed, const Obstacle& obstacle, Memory* memory,
-                      Tellers& centres, const Deep& deep) {
-  const double need = placed.patch->radius + limit;
-  const Quat& turn = obstacle.world_from_solid.rotation;
-  const Quat back = glm::conjugate(turn);
-  const auto in_solid = [&](const Vec3& point) {
-    return back * (apply(placed.world_from_patch, point) - obstacle.world_from_solid.position);
-  };
-  const auto beside = [&](const Vec3& local, double reach) {
-    const Vec3 low = obstacle.solid->low() - reach, high = obstacle.solid->high() + reach;
-    return local.x < low.x || local.y < low.y || local.z < low.z || local.x > high.x || local.y > high.y ||
-           local.z > high.z;
-  };
-  const Vec3 centre = in_solid(placed.patch->centre);
-  if (beside(centre, need)) return;
-  if (memory != nullptr && memory->centre.still_beyond(need, centre)) return;
-  if (centres.tell_beyond(need, centre)) return;
-  // A point is no nearer to the surface than the centre is, less the way between the two. The centre is asked a little
-  // farther than it has to be: that tells of others.
-  const double within = std::max(need, 0.0) + kAhead;
-  auto middle = obstacle.solid->nearest(centre, within);
-  if (!middle && !beside(centre, -placed.patch->radius)) {
-    middle = obstacle.solid->nearest(centre, kDeepest);
-    if (!middle) return;
+  static double length(const Vec3& v) { return std::sqrt(glm::dot(v, v)); }
+  /// `clear`: of how far the hand may have gone in all until something has to be looked at again.
+  template <class Deep>
+  static void each_of(const SurfacePatch& patch, const Vec3& centre, const Obstacle& obstacle, const Transform& wrist,
+                      double gone, double& clear, double* of_point, const Deep& deep) {
+    if (gone < clear) return;
+    const Motion in_solid(solid_from(obstacle, wrist));
+    clear = gone + clear_by(centre, patch, obstacle, in_solid);
+    if (gone < clear) return;
+    for (size_t i = 0; i < patch.points.size(); ++i) {
+      if (gone < of_point[i]) continue;
+      double above = 0.0;
+      const auto nearest = obstacle.solid->below(in_solid(patch.points[i].position), obstacle.allowed, &above);
+      of_point[i] = gone + above;
+      if (nearest)
+        deep(patch.points[i].position, -nearest->distance - obstacle.allowed,
+             obstacle.world_from_solid.rotation * nearest->normal);
+    }
   }
-  const Remembered known{centre, middle ? middle->distance : within};
-  if (memory != nullptr) memory->centre = known;
-  if (known.distance > kTells) centres.add(known);
-  if (known.distance > need) return;
-  const std::span<const Site> points = placed.points();
-  if (memory != nullptr) memory->points.resize(points.size());
-  Tellers tellers;
-  for (size_t i = 0; i < points.size(); ++i) {
-    const Vec3 apart = points[i].position - placed.patch->centre;
-    const double way = std::sqrt(glm::dot(apart, apart));
-    if (known.distance - way > limit) continue;
-    const Vec3 local = in_solid(points[i].position);
-    if (beside(local, std::max(limit, 0.0))) continue;
-    if (memory != nullptr && memory->points[i].still_beyond(limit, local)) continue;
-    if (tellers.tell_beyond(limit, local)) continue;
-    const auto nearest = obstacle.solid->nearest(local, std::abs(known.distance) + way + 1e-6);
-    if (!nearest) continue;
-    if (memory != nullptr) memory->points[i] = {local, nearest->distance};
-    if (nearest->distance > limit + kTells) tellers.add({local, nearest->distance});
-    if (nearest->distance < limit) deep(i, nearest->distance, turn * nearest->normal);
-  }
-}
+
+  std::span<const SurfacePatch> hand_;
+  std::span<const Obstacle> obstacles_;
+  std::vector<double> of_patch_, of_point_;
+  Transform before_;
+  bool moving_ = false;
+  double shifted_ = 0.0, turned_ = 0.0;  ///< in all: metres, and metres for each metre from the wrist
+};
 
 struct Touch {
   Vec3 point{0.0};  ///< wrist frame
@@ -223,7 +225,7 @@ HandFit fit_hand(const Transform& world_from_wrist, double swivel, std::span<con
   HandFit best;
   double least = 1e9, excess = 0.0;
   int improved = 0;
-  std::vector<Memory> memory(hand.size() * goal.obstacles.size());
+  DeepPoints points(hand, goal.obstacles);
   for (int iteration = 0; iteration <= kIterations; ++iteration) {
     struct Deep {
       Row row;
@@ -235,21 +237,12 @@ HandFit fit_hand(const Transform& world_from_wrist, double swivel, std::span<con
       deep.push_back({row_along(out, wrist.rotation * point), depth});
       deepest = std::max(deepest, depth);
     };
-    for (size_t o = 0; o < goal.obstacles.size(); ++o) {
-      const double limit = -goal.obstacles[o].allowed;
-      Tellers centres;
-      for (size_t p = 0; p < hand.size(); ++p)
-        each_point_below(limit, {&hand[p], wrist}, goal.obstacles[o], &memory[p * goal.obstacles.size() + o], centres,
-                         [&](size_t i, double distance, const Vec3& out) {
-                           too_deep(hand[p].points[i].position, limit - distance, out);
-                         });
-    }
-    if (goal.mirror) {
-      for (const SurfacePatch& patch : hand) {
-        for (const Site& point : patch.points) {
-          const double depth = -apply(wrist, point.position).x * goal.mirror->side - goal.mirror->allowed;
-          if (depth > 0.0) too_deep(point.position, depth, Vec3(goal.mirror->side, 0, 0));
-        }
+    points.each(wrist, too_deep);
+    for (const SurfacePatch& patch : hand) {
+      if (!goal.mirror) break;
+      for (const Site& point : patch.points) {
+        const double depth = -apply(wrist, point.position).x * goal.mirror->side - goal.mirror->allowed;
+        if (depth > 0.0) too_deep(point.position, depth, Vec3(goal.mirror->side, 0, 0));
       }
     }
     const bool contact = !goal.region.empty();
@@ -302,18 +295,32 @@ HandFit fit_hand(const Transform& world_from_wrist, double swivel, std::span<con
   return best;
 }
 
-Depth depth_in(std::span<const PlacedPatch> patches, std::span<const Obstacle> obstacles) {
+Depth depth_in(std::span<const PlacedPatch> points, std::span<const Obstacle> obstacles,
+               const DepthsThatMatter& matter) {
   Depth worst;
-  for (const Obstacle& obstacle : obstacles) {
-    double limit = -obstacle.allowed - worst.metres;
-    Tellers centres;
-    for (const PlacedPatch& patch : patches)
-      each_point_below(limit, patch, obstacle, nullptr, centres, [&](size_t, double distance, const Vec3& out) {
-        worst = {-obstacle.allowed - distance, out};
-        limit = distance;
-      });
+  worst.metres = matter.more_than;
+  bool found = false;
+  for (const PlacedPatch& placed : points) {
+    const SurfacePatch& patch = *placed.patch;
+    const Vec3 centre = apply(placed.place, patch.centre);
+    const size_t count = std::min(placed.count, patch.points.size());
+    for (const Obstacle& obstacle : obstacles) {
+      const double reach = patch.radius + obstacle.radius + std::max(0.0, -obstacle.allowed);
+      const Vec3 apart = centre - obstacle.centre;
+      if (glm::dot(apart, apart) > reach * reach) continue;
+      const Motion in_solid(solid_from(obstacle, placed.place));
+      if (clear_by(centre, patch, obstacle, in_solid) > 0.0) continue;
+      for (size_t i = 0; i < count; ++i) {
+        const auto nearest = obstacle.solid->below(in_solid(patch.points[i].position), obstacle.allowed + worst.metres);
+        if (!nearest || -nearest->distance - obstacle.allowed <= worst.metres) continue;
+        worst.metres = -nearest->distance - obstacle.allowed;
+        worst.out = obstacle.world_from_solid.rotation * nearest->normal;
+        found = true;
+        if (worst.metres >= matter.enough) return worst;
+      }
+    }
   }
-  return worst;
+  return found ? worst : Depth{};
 }
 
 }  // namespace auslan

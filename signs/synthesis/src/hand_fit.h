@@ -55,8 +55,15 @@ struct HandFit {
 HandFit fit_hand(const Transform& world_from_wrist, double swivel, std::span<const SurfacePatch> hand,
                  const HandFitGoal& goal);
 
-/// The deepest that any of the points lie beyond what the obstacles allow, and the way out; world space.
+/// Between which depths it matters how deep something lies, metres.
+struct DepthsThatMatter {
+  double more_than = 0.0;  ///< what lies no deeper counts as outside
+  double enough = 1e9;     ///< once this is found nothing deeper is looked for
+};
+
+/// The deepest that any of the points lie beyond what their obstacle allows, and the way out; world space.
 struct Depth;
-Depth depth_in(std::span<const PlacedPatch> patches, std::span<const Obstacle> obstacles);
+Depth depth_in(std::span<const PlacedPatch> points, std::span<const Obstacle> obstacles,
+               const DepthsThatMatter& matter = {});
 
 }  // namespace auslan

@@ -49,10 +49,6 @@ HandPart default_part(const Handshape& handshape, bool palm_faces) {
   return palm_faces ? HandPart::kPalm : HandPart::kFingertips;
 }
 
-Transform composed(const Transform& a_from_b, const Transform& b_from_c) {
-  return {a_from_b.rotation * b_from_c.rotation, apply(a_from_b, b_from_c.position)};
-}
-
 bool is_broad(Location location) {
   switch (location) {
     case Location::kOtherPalm:
@@ -254,18 +250,21 @@ PlacedHand Signer::place(const Posture& posture, const Handshape& handshape, Sid
     const Vec3& parent = parent_[static_cast<size_t>(side)];
     const Vec3 place = apply(wrist, pivot) - parent;
     // A centimetre of the forearm in something is as bad as fourteen degrees of leaning.
-    const auto missing = [&](const ArmReach::Reached& reached, double trial_swivel) {
+    const auto missing = [&](const ArmReach::Reached& reached, double trial_swivel, double enough) {
+      const double of_limits = reached.lean + 3.0 * reached.excess;
+      if (of_limits >= enough) return of_limits;
       HandState trial = state;
       trial.wrist = {reached.wrist.rotation, reached.wrist.position + parent};
       trial.swivel = trial_swivel;
-      return reached.lean + 3.0 * reached.excess + 25.0 * depth_in(arm_patches(side, trial), obstacles).metres;
+      const double too_deep = 1.001 * (enough - of_limits) / 25.0;
+      return of_limits + 25.0 * depth_in(arm_patches(side, trial), obstacles, {0.0, too_deep}).metres;
     };
     ArmReach::Reached best = reach(side).reach(wrist.rotation, pivot, place, swivel);
-    double least = missing(best, swivel);
+    double least = missing(best, swivel, 1e9);
     for (const double sign : {1.0, -1.0}) {
       for (int i = 0; i < 3 && least > kEnough; ++i) {
         const ArmReach::Reached next = reach(side).reach(wrist.rotation, pivot, place, swivel + sign * kStep);
-        const double found = missing(next, swivel + sign * kStep);
+        const double found = missing(next, swivel + sign * kStep, least);
         if (found >= least) break;
         best = next;
         least = found;
@@ -318,8 +317,8 @@ Vec3 Signer::settle(Side side, const Wish& wish, std::span<const Obstacle> obsta
     HandState trial = state;
     trial.wrist = candidate.wrist;
     trial.swivel = candidate.swivel;
-    const std::array<PlacedPatch, 2> patches = arm_patches(side, trial);
-    const double depth = depth_in(patches, obstacles).metres;
+    const double too_deep = 1.001 * std::sqrt((enough - candidate.cost) / kDepthCost);
+    const double depth = depth_in(arm_patches(side, trial), obstacles, {0.0, too_deep}).metres;
     candidate.cost += kDepthCost * depth * depth;
     return candidate;
   };
@@ -405,7 +404,8 @@ void Signer::add_other_arm(Side other_side, const HandState& other, bool touches
   const auto digits = hand(other_side).digits(other.angles);
   for (size_t d = 0; d < 5; ++d)
     for (size_t j = 0; j < 3; ++j)
-      add(nodes.digits[d][j], composed(other.wrist, digits[d][j]));
+      add(nodes.digits[d][j],
+          {other.wrist.rotation * digits[d][j].rotation, apply(other.wrist, digits[d][j].position)});
 }
 
 std::vector<SurfacePatch> Signer::hand_patches(Side side, const HandAngles& angles) const {
@@ -438,34 +438,39 @@ std::vector<Vec3> Signer::region(HandPart part, const Site& site, std::span<cons
   return points;
 }
 
-Depth Signer::coarse_depth(Side side, const HandState& state, std::span<const Obstacle> obstacles) const {
-  constexpr size_t kFew = 6;  // points of a digit's segment
+Depth Signer::coarse_depth(Side side, const HandState& state, std::span<const Obstacle> obstacles,
+                           double at_least) const {
+  constexpr size_t kFew = 6, kOfPalm = 18;
   const ArmNodes& nodes = nodes_[static_cast<size_t>(side)];
-  std::vector<PlacedPatch> parts = {{&surface_.patch(nodes.wrist), state.wrist, 3 * kFew}};
+  std::array<PlacedPatch, 17> patches;
+  patches[0] = arm_patches(side, state)[0];
+  patches[1] = {&surface_.patch(nodes.wrist), state.wrist, kOfPalm};
   const auto digits = hand(side).digits(state.angles);
   for (size_t d = 0; d < 5; ++d)
     for (size_t j = 0; j < 3; ++j)
-      parts.push_back({&surface_.patch(nodes.digits[d][j]), composed(state.wrist, digits[d][j]), kFew});
-  parts.push_back(arm_patches(side, state)[0]);
-  return depth_in(parts, obstacles);
+      patches[2 + 3 * d + j] = {
+          &surface_.patch(nodes.digits[d][j]),
+          {state.wrist.rotation * digits[d][j].rotation, apply(state.wrist, digits[d][j].position)},
+          kFew};
+  return depth_in(patches, obstacles, {at_least});
 }
 
-Depth Signer::depth_in_body(Side side, const HandState& state) const {
-  return coarse_depth(side, state, body_obstacles(false));
+Depth Signer::depth_in_body(Side side, const HandState& state, double at_least) const {
+  return coarse_depth(side, state, body_obstacles(false), at_least);
 }
 
-Depth Signer::depth_in_arm(Side side, const HandState& state, const HandState& other_arm) const {
+Depth Signer::depth_in_arm(Side side, const HandState& state, const HandState& other_arm, double at_least) const {
   // Hands that are an arm's length apart do not meet.
   constexpr double kApart = 0.5;
   const Vec3 apart = state.wrist.position - other_arm.wrist.position;
   if (glm::dot(apart, apart) > kApart * kApart) return {};
   std::vector<Obstacle> obstacles;
   add_other_arm(other(side), other_arm, false, obstacles);
-  return coarse_depth(side, state, obstacles);
+  return coarse_depth(side, state, obstacles, at_least);
 }
 
-Depth Signer::forearm_depth(Side side, const HandState& state) const {
-  return depth_in(arm_patches(side, state), body_obstacles(false));
+Depth Signer::forearm_depth(Side side, const HandState& state, double at_least, double enough) const {
+  return depth_in(arm_patches(side, state), body_obstacles(false), {at_least, enough});
 }
 
 HandState Signer::rest(Side side) const {

@@ -27,11 +27,12 @@ struct Journey {
     Depth depth;
     bool in_body = true;
   };
-  Found depth(double share) const {
+  Found depth(double share, double at_least = 0.0) const {
     const HandState state = state_after(segment, share);
-    Found found{signer.depth_in_body(side, state), true};
+    Found found{signer.depth_in_body(side, state, at_least), true};
     if (other == nullptr) return found;
-    const Depth in_arm = signer.depth_in_arm(side, state, state_after(*other, share));
+    const Depth in_arm =
+        signer.depth_in_arm(side, state, state_after(*other, share), std::max(at_least, found.depth.metres));
     if (in_arm.metres > found.depth.metres) found = {in_arm, false};
     return found;
   }
@@ -49,7 +50,7 @@ Sample deepest_sample(const Journey& journey, double from_depth, double to_depth
   for (int i = 1; i < kSamples; ++i) {
     const double share = static_cast<double>(i) / kSamples;
     const double own = std::max({from_depth * (1.0 - 3.0 * share), to_depth * (3.0 * share - 2.0), 0.0});
-    Journey::Found found = journey.depth(share);
+    Journey::Found found = journey.depth(share, own + worst.found.depth.metres);
     found.depth.metres -= own;
     if (found.depth.metres > worst.found.depth.metres) worst = {i, found};
   }
@@ -84,11 +85,13 @@ void swing_out(const Signer& signer, Side side, HandSegment& segment) {
   for (const double swing : {0.0, 0.25, -0.25, 0.5, -0.5, 0.75, -0.75}) {
     segment.swivel_bulge = swing;
     double deepest = 0.0;
-    for (int i = 1; i < kSamples; ++i)
-      deepest =
-          std::max(deepest, signer.forearm_depth(side, state_after(segment, static_cast<double>(i) / kSamples)).metres);
     // A swing must be worth it.
-    if (deepest > least - 0.003) continue;
+    const double enough = least - 0.003;
+    for (int i = 1; i < kSamples && deepest <= enough; ++i) {
+      const HandState state = state_after(segment, static_cast<double>(i) / kSamples);
+      deepest = std::max(deepest, signer.forearm_depth(side, state, deepest, 1.001 * enough).metres);
+    }
+    if (deepest > enough) continue;
     least = deepest;
     best = swing;
     if (least <= kTolerated) break;

@@ -7,7 +7,6 @@
 #include "kinematics/solid.h"
 #include "synthesis/body_sites.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -40,19 +39,17 @@ class BodySurface {
   std::vector<SurfacePatch> patches_;
 };
 
-/// A patch, or the first points of one, where its segment is.
-struct PlacedPatch {
-  const SurfacePatch* patch = nullptr;
-  Transform world_from_patch;
-  size_t count = SIZE_MAX;
-
-  std::span<const Site> points() const { return {patch->points.data(), std::min(count, patch->points.size())}; }
-};
-
 /// The same points with a ball about their mean.
 SurfacePatch balled(SurfacePatch patch);
 
-/// The same points in the frame that `place` leads to.
+/// All points of a patch in the frame that `place` leads to.
 SurfacePatch placed(const SurfacePatch& patch, const Transform& place);
+
+/// The first `count` points of a patch, or all, where `place` leads to.
+struct PlacedPatch {
+  const SurfacePatch* patch = nullptr;
+  Transform place;
+  size_t count = SIZE_MAX;
+};
 
 }  // namespace auslan

@@ -87,10 +87,11 @@ class Signer {
 
   /// How deep a hand with its forearm lies in head, neck and trunk at rest, and in the other arm; counted from a little
   /// above their surface.
-  Depth depth_in_body(Side side, const HandState& state) const;
-  Depth depth_in_arm(Side side, const HandState& state, const HandState& other_arm) const;
-  /// How deep the forearm alone does.
-  Depth forearm_depth(Side side, const HandState& state) const;
+  /// What lies no deeper than `at_least` metres counts as outside.
+  Depth depth_in_body(Side side, const HandState& state, double at_least = 0.0) const;
+  Depth depth_in_arm(Side side, const HandState& state, const HandState& other_arm, double at_least = 0.0) const;
+  /// How deep the forearm alone does, or how deep it does at least where that is `enough`.
+  Depth forearm_depth(Side side, const HandState& state, double at_least, double enough) const;
 
   /// The hand hanging beside the hip: the start and end of all signing.
   HandState rest(Side side) const;
@@ -109,14 +110,14 @@ class Signer {
   Vec3 settle(Side side, const Wish& wish, std::span<const Obstacle> obstacles, HandState& state) const;
   /// Radians by which an arm has to break its limits for a wrist to be there.
   double strain(Side side, const HandState& state) const;
-  Depth coarse_depth(Side side, const HandState& state, std::span<const Obstacle> obstacles) const;
+  Depth coarse_depth(Side side, const HandState& state, std::span<const Obstacle> obstacles, double at_least) const;
   /// Head, neck and trunk at rest; `touches`: the hand is to touch them.
   std::vector<Obstacle> body_obstacles(bool touches) const;
   /// The other arm with its hand.
   void add_other_arm(Side other_side, const HandState& other, bool touches, std::vector<Obstacle>& obstacles) const;
-  /// The surface of a hand in the wrist's frame, palm first.
+  /// The surface of a hand in the wrist's frame.
   std::vector<SurfacePatch> hand_patches(Side side, const HandAngles& angles) const;
-  /// The forearm, and the lower half of the upper arm.
+  /// The surface of the forearm and of the lower half of the upper arm, world space.
   std::array<PlacedPatch, 2> arm_patches(Side side, const HandState& state) const;
   /// The points that count as a part of the hand: those about its site that face as it does; wrist frame.
   static std::vector<Vec3> region(HandPart part, const Site& site, std::span<const SurfacePatch> hand);
