@@ -6,7 +6,6 @@
 #include "kinematics/arm_ik.h"
 #include "kinematics/elementary.h"
 #include "kinematics/rotation.h"
-#include "kinematics/surface.h"
 #include "phonology/vocabulary.h"
 
 #include <algorithm>
