@@ -44,7 +44,8 @@ struct TileStage {
   struct State {
     float depth = 0.0F;  ///< a lower bound of the tile's depth
     bool promised = false;
-    bool owned = false;  ///< cells may have owners
+    bool owned = false;      ///< cells may have owners
+    bool unbounded = false;  ///< the upper bounds of depth say nothing
   };
 
   static void fill_small(const TileBuffers& buffers, const SmallGroup<kSamples>& group, size_t i) {
@@ -70,8 +71,9 @@ struct TileStage {
       alignas(32) uint32_t number[8];
       L::store(number, L::select(L::and_not(L::sign_mask(entries), is_there), entries, L::set(0)));
       with_care = SetUp<L, kSamples>::run(job, small, number, group) & there;
-      // Small triangles do not keep the upper bounds up, and know nothing of owners.
-      set_cells(job.buffers.cell_greatest, 2.0F);
+      // Small triangles do not keep the upper bounds up, and know nothing of owners. Nothing lowers a bound of 2 again.
+      if (!state.unbounded) set_cells(job.buffers.cell_greatest, 2.0F);
+      state.unbounded = true;
       if (state.owned) FillGeneral<L, kSamples>::release_all(job);
       state.owned = false;
     }
