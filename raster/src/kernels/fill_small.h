@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pixels of a small triangle, where each has one sample: eight at a time from the corner of its box on: in blocks of 4
-// x 2 where it is at most four pixels wide, else in rows of 8 that stand below each other in columns.
+// Pixels of a small triangle, where each has one sample, from the corner of its box on: in blocks of 4 x 2 where it is
+// at most four pixels wide, else in rows of 8 that stand below each other in columns. Where a register holds four
+// lanes, all but those of triangles from 5 to 8 wide are rows of 4.
 #pragma once
 
 #include "set_up.h"
