@@ -227,34 +227,38 @@ struct FillSmall {
   // Columns of a wide triangle, as wide as a row's lanes.
   static constexpr int32_t kColumnWidth = static_cast<int32_t>(Q::kLanes);
 
-  // Of eight columns side by side the rows that may hold something. They follow each other, as each edge shuts out
-  // what lies above or below a row. Found by division: a row too many on either side costs a little time and no more.
+  // Of as many columns side by side as there are lanes the rows that may hold something. They follow each other, as
+  // each edge shuts out what lies above or below a row. Found by division: a row too many on either side costs a little
+  // time and no more.
   struct ColumnRows {
-    alignas(32) int32_t first[8], count[8];
+    alignas(32) int32_t first[Q::kLanes];
+    alignas(32) int32_t count[Q::kLanes];
+    using QF = typename Q::F;
+    using QI = typename Q::I;
     ColumnRows(const Group& g, size_t k, int32_t first_column) {
       static constexpr uint32_t kNumbers[8] = {0, 1, 2, 3, 4, 5, 6, 7};
-      const I columns = L::multiply16(L::load(kNumbers), L::set(kColumnWidth)) + L::set(first_column);
-      const F zero = L::set(0.0F);
-      const F bottom = L::set(static_cast<float>(g.height[k] - 1));
-      F least = zero;
-      F greatest = bottom;
+      const QI columns = Q::multiply16(Q::load(kNumbers), Q::set(kColumnWidth)) + Q::set(first_column);
+      const QF zero = Q::set(0.0F);
+      const QF bottom = Q::set(static_cast<float>(g.height[k] - 1));
+      QF least = zero;
+      QF greatest = bottom;
       for (size_t e = 0; e < 3; ++e) {
         // The edge is highest at the last pixel of a row where a is positive. Between whole numbers above and below
         // zero lies none.
-        const I ab = L::spread(&g.ab[e][k]);
-        const I highest = L::spread(&g.start[e][k]) +
-                          (L::dot(ab, columns) + L::dot(L::max16(ab, L::set(0)), L::set(kColumnWidth - 1)));
-        const F b = L::to_float(L::template shift_right<16>(ab));
-        const F crossing = (L::to_float(highest) + L::set(0.5F)) / (zero - b);
-        const I rises = L::greater(b, zero);
-        least = L::max(least, L::select(rises, crossing, zero));
-        greatest = L::min(greatest, L::select(rises, bottom, crossing));
+        const QI ab = Q::spread(&g.ab[e][k]);
+        const QI highest = Q::spread(&g.start[e][k]) +
+                           (Q::dot(ab, columns) + Q::dot(Q::max16(ab, Q::set(0)), Q::set(kColumnWidth - 1)));
+        const QF b = Q::to_float(Q::template shift_right<16>(ab));
+        const QF crossing = (Q::to_float(highest) + Q::set(0.5F)) / (zero - b);
+        const QI rises = Q::greater(b, zero);
+        least = Q::max(least, Q::select(rises, crossing, zero));
+        greatest = Q::min(greatest, Q::select(rises, bottom, crossing));
       }
-      const F slack = L::set(1.0F / 64.0F);
-      const I first_row = L::truncate(L::min(least, bottom + L::set(1.0F)) + (L::set(1.0F) - slack));
-      const I last_row = L::truncate(L::max(greatest, L::set(-2.0F)) + slack);
-      L::store(first, first_row);
-      L::store(count, (last_row - first_row) + L::set(1));
+      const QF slack = Q::set(1.0F / 64.0F);
+      const QI first_row = Q::truncate(Q::min(least, bottom + Q::set(1.0F)) + (Q::set(1.0F) - slack));
+      const QI last_row = Q::truncate(Q::max(greatest, Q::set(-2.0F)) + slack);
+      Q::store(first, first_row);
+      Q::store(count, (last_row - first_row) + Q::set(1));
     }
   };
 
@@ -272,14 +276,16 @@ struct FillSmall {
     ColumnRows rows(g, k, 0);
     const int32_t columns = (g.width[k] + kColumnWidth - 1) / kColumnWidth;
     for (int32_t c = 0; c < columns; ++c, across = across + Q::set(static_cast<float>(kColumnWidth))) {
-      int32_t of_eight = c;
-      if constexpr (8 * kColumnWidth < kTileWidth) {
-        of_eight = c % 8;
-        if (c != 0 && of_eight == 0) rows = ColumnRows(g, k, c * kColumnWidth);
+      // All columns of a tile fit where lanes are eight.
+      constexpr auto kLanes = static_cast<int32_t>(Q::kLanes);
+      int32_t lane = c;
+      if constexpr (kLanes * kColumnWidth < kTileWidth) {
+        lane = c % kLanes;
+        if (c != 0 && lane == 0) rows = ColumnRows(g, k, c * kColumnWidth);
       }
-      if (rows.count[of_eight] <= 0) continue;
+      if (rows.count[lane] <= 0) continue;
       const int32_t column = c * kColumnWidth;
-      const int32_t first = rows.first[of_eight];
+      const int32_t first = rows.first[lane];
       auto block = corner;
       const auto from_corner = Q::set(column | first << 16);
       for (size_t e = 0; e < 3; ++e)
@@ -290,7 +296,7 @@ struct FillSmall {
       block.depths += place;
       block.pixels += place;
       const auto depth_here = across * depth_x;
-      Row::fill_rows(block, row.depth + first, rows.count[of_eight], depth_here, {edge_down, colour_down});
+      Row::fill_rows(block, row.depth + first, rows.count[lane], depth_here, {edge_down, colour_down});
     }
   }
 

@@ -15,11 +15,14 @@ struct Sse2Quad {
   struct F {
     __m128 v;
     friend F operator+(F a, F b) { return {_mm_add_ps(a.v, b.v)}; }
+    friend F operator-(F a, F b) { return {_mm_sub_ps(a.v, b.v)}; }
     friend F operator*(F a, F b) { return {_mm_mul_ps(a.v, b.v)}; }
+    friend F operator/(F a, F b) { return {_mm_div_ps(a.v, b.v)}; }
   };
   struct I {
     __m128i v;
     friend I operator+(I a, I b) { return {_mm_add_epi32(a.v, b.v)}; }
+    friend I operator-(I a, I b) { return {_mm_sub_epi32(a.v, b.v)}; }
     friend I operator&(I a, I b) { return {_mm_and_si128(a.v, b.v)}; }
     friend I operator|(I a, I b) { return {_mm_or_si128(a.v, b.v)}; }
   };
@@ -31,8 +34,21 @@ struct Sse2Quad {
   static I load(const uint32_t* p) { return {_mm_loadu_si128(reinterpret_cast<const __m128i*>(p))}; }
   static void store(float* p, F a) { _mm_storeu_ps(p, a.v); }
   static void store(uint32_t* p, I a) { _mm_storeu_si128(reinterpret_cast<__m128i*>(p), a.v); }
+  static void store(int32_t* p, I a) { _mm_storeu_si128(reinterpret_cast<__m128i*>(p), a.v); }
   static I select(I mask, I yes, I no) {
     return {_mm_xor_si128(_mm_and_si128(_mm_xor_si128(yes.v, no.v), mask.v), no.v)};
+  }
+  static F select(I mask, F yes, F no) {
+    return {_mm_castsi128_ps(select(mask, I{_mm_castps_si128(yes.v)}, I{_mm_castps_si128(no.v)}).v)};
+  }
+  static F min(F a, F b) { return {_mm_min_ps(a.v, b.v)}; }
+  static F max(F a, F b) { return {_mm_max_ps(a.v, b.v)}; }
+  static I greater(F a, F b) { return {_mm_castps_si128(_mm_cmpgt_ps(a.v, b.v))}; }
+  static F to_float(I a) { return {_mm_cvtepi32_ps(a.v)}; }
+  static I truncate(F a) { return {_mm_cvttps_epi32(a.v)}; }
+  template <int kBits>
+  static I shift_right(I a) {
+    return {_mm_srai_epi32(a.v, kBits)};
   }
   static I dot(I a, I b) { return {_mm_madd_epi16(a.v, b.v)}; }
   static I min16(I a, I b) { return {_mm_min_epi16(a.v, b.v)}; }
