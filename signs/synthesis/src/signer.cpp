@@ -29,6 +29,9 @@ constexpr double kPresses = 0.0012, kKeepsOff = 0.0015;
 constexpr double kPreferredSwivel = 25.0 * kDegree, kLowestSwivel = -60.0 * kDegree, kHighestSwivel = 150.0 * kDegree;
 // An elbow farther than this from where it likes to be is seen to be raised.
 constexpr double kEasySwivel = 45.0 * kDegree, kRaisedCost = 10.0;
+// So is one that is lifted, whatever the swivel: an upper arm may rise to 30 degrees below the level for nothing. While
+// a hand is fitted a lift by a tenth of the upper arm is as bad as three degrees of leaning.
+constexpr double kEasyHeight = 0.5, kHighElbowCost = 60.0, kHighElbowLean = 0.5;
 constexpr int kSwivels = 15;
 constexpr double kFreeLean = 2.0 * kDegree, kTrueLean = 20.0 * kDegree;
 constexpr double kLeanCost = 36.0, kFarLeanCost = 300.0, kExcessCost = 2000.0, kOffCost = 1e4, kDepthCost = 1e5;
@@ -236,7 +239,8 @@ PlacedHand Signer::place(const Posture& posture, const Handshape& handshape, Sid
     mirror = MirrorPlane{outside, placed.touching && meets_hand ? kPresses / 2.0 : -kKeepsOff,
                          placed.touching && meets_hand};
 
-  Wish wish{state.wrist.rotation, local.position, site.position, !contact && !counterpart.shift};
+  // Who reaches across to the other arm lifts the elbow.
+  Wish wish{state.wrist.rotation, local.position, site.position, !contact && !counterpart.shift, on_arm};
   if (!contact && counterpart.shift) wish.target += *counterpart.shift;
   placed.shift = settle(side, wish, obstacles, state);
   const Vec3 target = wish.target + placed.shift;
@@ -250,7 +254,8 @@ PlacedHand Signer::place(const Posture& posture, const Handshape& handshape, Sid
     const Vec3 place = apply(wrist, pivot) - parent;
     // A centimetre of the forearm in something is as bad as fourteen degrees of leaning.
     const auto missing = [&](const ArmReach::Reached& reached, double trial_swivel, double enough) {
-      const double of_limits = reached.lean + 3.0 * reached.excess;
+      const double of_limits =
+          reached.lean + 3.0 * reached.excess + (wish.lifts ? 0.0 : kHighElbowLean * elbow_height(side, reached.arm));
       if (of_limits >= enough) return of_limits;
       HandState trial = state;
       trial.wrist = {reached.wrist.rotation, reached.wrist.position + parent};
@@ -306,7 +311,9 @@ Vec3 Signer::settle(Side side, const Wish& wish, std::span<const Obstacle> obsta
     const double away = swivel - kPreferredSwivel, lean = std::max(0.0, reached.lean - kFreeLean),
                  far = std::max(0.0, reached.lean - kTrueLean);
     const double raised = std::max(0.0, std::abs(away) - kEasySwivel);
-    candidate.cost = away * away + kRaisedCost * raised * raised + kLeanCost * lean * lean + kFarLeanCost * far * far +
+    const double high = wish.lifts ? 0.0 : elbow_height(side, reached.arm);
+    candidate.cost = kHighElbowCost * high * high + away * away + kRaisedCost * raised * raised +
+                     kLeanCost * lean * lean + kFarLeanCost * far * far +
                      kExcessCost * reached.excess * reached.excess + kOffCost * reached.off * reached.off +
                      kShiftCost * glm::dot(shift, shift);
     return candidate;
@@ -370,6 +377,11 @@ Vec3 Signer::settle(Side side, const Wish& wish, std::span<const Obstacle> obsta
   state.wrist = best.wrist;
   state.swivel = best.swivel;
   return shift;
+}
+
+double Signer::elbow_height(Side side, const ArmSolution& arm) const {
+  const Vec3 upper = unit(arm.shoulder * figure_->skeleton.node(nodes_[static_cast<size_t>(side)].elbow).offset);
+  return std::max(0.0, upper.y + kEasyHeight);
 }
 
 double Signer::strain(Side side, const HandState& state) const {

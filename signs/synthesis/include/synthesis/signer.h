@@ -103,11 +103,14 @@ class Signer {
     Quat rotation = kIdentity;
     Vec3 pivot{0.0}, target{0.0};  ///< the part of the hand (wrist frame), and where it is to be
     bool free = false;             ///< in the air: the place may give way to the direction
+    bool lifts = false;            ///< the elbow may be high
   };
 
   /// The elbow's place and the hand's lean for which the limits of the arm and the room for the forearm ask. Returns by
   /// how much the place gave way, metres.
   Vec3 settle(Side side, const Wish& wish, std::span<const Obstacle> obstacles, HandState& state) const;
+  /// How high the elbow is lifted, of the upper arm's length: 0 up to 30 degrees below the level, half at the level.
+  double elbow_height(Side side, const ArmSolution& arm) const;
   /// Radians by which an arm has to break its limits for a wrist to be there.
   double strain(Side side, const HandState& state) const;
   Depth coarse_depth(Side side, const HandState& state, std::span<const Obstacle> obstacles, double at_least) const;
