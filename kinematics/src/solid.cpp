@@ -21,6 +21,8 @@ constexpr uint32_t kLeaf = 4;  // triangles of a box that is not divided
 constexpr size_t kDeepest = 64;
 // The grid: so many cells at most, and none smaller than this.
 constexpr double kMostCells = 20000.0, kSmallestCell = 0.008;  // metres
+// Cells that all triangles together may lie in; a figure's segment takes some ten thousand.
+constexpr size_t kMostMarks = size_t{1} << 22;
 
 double square(const Vec3& v) {
   return glm::dot(v, v);
@@ -362,11 +364,21 @@ void Solid::make_grid() {
 }
 
 void Solid::mark_crossed() {
+  size_t left = kMostMarks;
   for (uint32_t p = 0; p < parts_.size(); ++p) {
     for (uint32_t t = 0; t < parts_[p].triangles.size(); ++t) {
       const auto& [a, b, c] = parts_[p].triangles[t].corner;
       const std::array<int, 3> first = cell_of(glm::min(glm::min(a, b), c)),
                                last = cell_of(glm::max(glm::max(a, b), c));
+      size_t marks = 1;
+      for (size_t i = 0; i < 3; ++i)
+        marks *= static_cast<size_t>(last[i] - first[i] + 1);
+      if (marks > left) {
+        // Of triangles that are all as large as the whole a grid knows nothing.
+        std::ranges::fill(grid_.cells, Grid::Cell{0, Grid::Side::kUnknown, 0, 0});
+        return;
+      }
+      left -= marks;
       for (int z = first[2]; z <= last[2]; ++z)
         for (int y = first[1]; y <= last[1]; ++y)
           for (int x = first[0]; x <= last[0]; ++x)

@@ -175,6 +175,25 @@ TEST(Solid, WhatLiesBelowADepthIsWhatTheNearestSurfaceTells) {
   }
 }
 
+TEST(Solid, MoreTrianglesThanAGridCanTellApart) {
+  // A thousand boxes in each other: the outermost decides.
+  Mesh mesh;
+  const Vec3 low(-0.3, -0.2, -0.25), high(0.3, 0.2, 0.25);
+  for (int i = 0; i < 1000; ++i)
+    add_box(low * (1.0 - 1e-4 * i), high * (1.0 - 1e-4 * i), mesh);
+  const Solid solid(mesh);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> place(-0.4, 0.4);
+  for (int i = 0; i < 300; ++i) {
+    const Vec3 point(place(random), place(random), place(random));
+    const auto found = solid.nearest(point, 1.0);
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(found->distance, box_distance(low, high, point), 1e-6);
+    const double clear = solid.clearance(point);
+    EXPECT_TRUE(clear <= 0.0 || clear <= found->distance) << clear << " of " << found->distance;
+  }
+}
+
 TEST(Solid, NothingIsFoundBeyondTheReach) {
   Mesh mesh;
   add_box({0, 0, 0}, {1, 1, 1}, mesh);
