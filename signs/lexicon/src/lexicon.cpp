@@ -82,12 +82,19 @@ int match_rank(std::string_view text, std::string_view wanted) {
 }  // namespace
 
 struct Lexicon::State {
+  std::string place;  ///< of the file, for what goes wrong in it
   Database db;
   std::vector<Keyword> keywords;
   std::vector<Keyword> keywords_in_text_order;
   std::vector<Phrase> phrases;
   std::vector<Finding> damaged;
   int batches = 0;
+
+  template <typename T>
+  Result<T> in_file(Result<T> result) const {
+    if (!result && result.error().place.empty()) result.error().place = place;
+    return result;
+  }
 };
 
 Lexicon::Lexicon(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -105,6 +112,7 @@ Result<Lexicon> Lexicon::open(const std::filesystem::path& path) {
   Result<Database> db = open_database(path, SQLITE_OPEN_READONLY | SQLITE_OPEN_FULLMUTEX);
   if (!db) return tl::unexpected(db.error());
   auto state = std::make_unique<State>();
+  state->place = path.string();
   state->db = std::move(*db);
   sqlite3* raw = state->db.get();
   sqlite3_db_config(raw, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
@@ -140,7 +148,7 @@ Result<Lexicon> Lexicon::open(const std::filesystem::path& path) {
 
 Result<std::optional<Sign>> Lexicon::sign(std::string_view gloss) const {
   state_->batches = 0;
-  return read_sign_row(state_->db.get(), gloss);
+  return state_->in_file(read_sign_row(state_->db.get(), gloss));
 }
 
 Result<std::optional<Sign>> Lexicon::letter(char letter) const {
@@ -155,7 +163,7 @@ Result<std::optional<Sign>> Lexicon::number(long long value) const {
 
 Result<std::optional<Handshape>> Lexicon::handshape(std::string_view id) const {
   state_->batches = 0;
-  return read_handshape_row(state_->db.get(), id);
+  return state_->in_file(read_handshape_row(state_->db.get(), id));
 }
 
 const std::vector<Finding>& Lexicon::damaged() const {
@@ -171,7 +179,7 @@ const std::vector<Phrase>& Lexicon::phrases() const {
 Result<std::vector<Handshape>> Lexicon::handshapes() const {
   state_->batches = 0;
   const Result<std::vector<std::string>> ids =
-      read_names(state_->db.get(), "SELECT id FROM handshape WHERE ?1 = '' ORDER BY position", "");
+      state_->in_file(read_names(state_->db.get(), "SELECT id FROM handshape WHERE ?1 = '' ORDER BY position", ""));
   if (!ids) return tl::unexpected(ids.error());
   std::vector<Handshape> shapes;
   for (const std::string& id : *ids) {
@@ -185,20 +193,21 @@ Result<std::vector<Handshape>> Lexicon::handshapes() const {
 Result<std::vector<SignSummary>> Lexicon::list(const ListFilter& filter) const {
   state_->batches = 0;
   sqlite3* db = state_->db.get();
-  Result<std::vector<SignSummary>> all = read_summaries(db);
+  Result<std::vector<SignSummary>> all = state_->in_file(read_summaries(db));
   if (!all) return all;
   const auto keep_only = [&all](const std::vector<std::string>& glosses) {
     const std::set<std::string> kept(glosses.begin(), glosses.end());
     std::erase_if(*all, [&kept](const SignSummary& sign) { return !kept.contains(sign.gloss); });
   };
   if (!filter.handshape.empty()) {
-    const auto users = read_names(db, "SELECT DISTINCT gloss FROM posture WHERE handshape = ?1", filter.handshape);
+    const auto users =
+        state_->in_file(read_names(db, "SELECT DISTINCT gloss FROM posture WHERE handshape = ?1", filter.handshape));
     if (!users) return tl::unexpected(users.error());
     keep_only(*users);
   }
   if (filter.location) {
-    const auto users =
-        read_names(db, "SELECT DISTINCT gloss FROM posture WHERE location = ?1", to_name(*filter.location));
+    const auto users = state_->in_file(
+        read_names(db, "SELECT DISTINCT gloss FROM posture WHERE location = ?1", to_name(*filter.location)));
     if (!users) return tl::unexpected(users.error());
     keep_only(*users);
   }
@@ -236,7 +245,7 @@ Result<LexiconCounts> Lexicon::counts() const {
   Result<std::vector<SignSummary>> all = list();
   if (!all) return tl::unexpected(all.error());
   const Result<std::vector<std::string>> shapes =
-      read_names(state_->db.get(), "SELECT id FROM handshape WHERE ?1 = ''", "");
+      state_->in_file(read_names(state_->db.get(), "SELECT id FROM handshape WHERE ?1 = ''", ""));
   if (!shapes) return tl::unexpected(shapes.error());
   LexiconCounts counts;
   counts.handshapes = static_cast<int>(shapes->size());
