@@ -15,6 +15,8 @@ constexpr int kSamples = 8;
 // Depths count from a little above the surface.
 constexpr double kTolerated = 0.0025, kRoom = 0.003;  // metres
 constexpr double kFarthest = 0.36;                    // that a path is bent, metres
+// Of an arm's length: beyond it an elbow that goes straight turns faster than any elbow.
+constexpr double kEasyReach = 0.985;
 
 /// One hand on its way, and what the other does meanwhile.
 struct Journey {
@@ -57,6 +59,22 @@ Sample deepest_sample(const Journey& journey, double from_depth, double to_depth
   return worst;
 }
 
+/// A bend that would stretch the arm is taken back, little by little, as far as it takes.
+void keep_in_reach(const Journey& journey) {
+  const Skeleton& skeleton = journey.signer.figure().skeleton;
+  const ArmNodes nodes = arm_nodes(skeleton, journey.side);
+  const auto length = [](const Vec3& v) { return std::sqrt(glm::dot(v, v)); };
+  const double reach =
+      kEasyReach * (length(skeleton.node(nodes.elbow).offset) + length(skeleton.node(nodes.wrist).offset));
+  const Vec3 shoulder = skeleton.rest_position(nodes.shoulder);
+  constexpr int kTimes = 16;
+  for (int i = 1, times = 0; i < kSamples; ++i) {
+    const double share = static_cast<double>(i) / kSamples;
+    while (length(state_after(journey.segment, share).wrist.position - shoulder) > reach && times++ < kTimes)
+      journey.segment.bulge *= 0.85;
+  }
+}
+
 /// Returns how deep the hand still goes, metres; 0 where that is too little to count.
 double bend_out(const Journey& journey) {
   constexpr int kRounds = 8;
@@ -76,6 +94,7 @@ double bend_out(const Journey& journey) {
     segment.bulge += out * ((depth.metres + kRoom) / std::max(0.4, 4.0 * s * (1.0 - s)));
     const double length = std::sqrt(glm::dot(segment.bulge, segment.bulge));
     if (length > kFarthest) segment.bulge *= kFarthest / length;
+    keep_in_reach(journey);
   }
 }
 
