@@ -434,7 +434,7 @@ void Solid::find_sides() {
 
 void Solid::find_gaps() {
   // The chessboard's distance in two sweeps (Rosenfeld & Pfaltz 1968).
-  const auto [nx, ny, nz] = grid_.count;
+  const int nx = grid_.count[0], ny = grid_.count[1], nz = grid_.count[2];
   const int row = nx, layer = nx * ny;
   // Half of a cell's neighbours: those that a sweep has passed.
   const auto sweep = [&](int x, int y, int z, int sign) {
