@@ -51,6 +51,10 @@ HandPart default_part(const Handshape& handshape, bool palm_faces) {
   return palm_faces ? HandPart::kPalm : HandPart::kFingertips;
 }
 
+Transform composed(const Transform& a_from_b, const Transform& b_from_c) {
+  return {a_from_b.rotation * b_from_c.rotation, apply(a_from_b, b_from_c.position)};
+}
+
 bool is_broad(Location location) {
   switch (location) {
     case Location::kOtherPalm:
@@ -415,8 +419,7 @@ void Signer::add_other_arm(Side other_side, const HandState& other, bool touches
   const auto digits = hand(other_side).digits(other.angles);
   for (size_t d = 0; d < 5; ++d)
     for (size_t j = 0; j < 3; ++j)
-      add(nodes.digits[d][j],
-          {other.wrist.rotation * digits[d][j].rotation, apply(other.wrist, digits[d][j].position)});
+      add(nodes.digits[d][j], composed(other.wrist, digits[d][j]));
 }
 
 std::vector<SurfacePatch> Signer::hand_patches(Side side, const HandAngles& angles) const {
@@ -459,10 +462,7 @@ Depth Signer::coarse_depth(Side side, const HandState& state, std::span<const Ob
   const auto digits = hand(side).digits(state.angles);
   for (size_t d = 0; d < 5; ++d)
     for (size_t j = 0; j < 3; ++j)
-      patches[2 + 3 * d + j] = {
-          &surface_.patch(nodes.digits[d][j]),
-          {state.wrist.rotation * digits[d][j].rotation, apply(state.wrist, digits[d][j].position)},
-          kFew};
+      patches[2 + 3 * d + j] = {&surface_.patch(nodes.digits[d][j]), composed(state.wrist, digits[d][j]), kFew};
   return depth_in(patches, obstacles, {at_least});
 }
 
