@@ -15,10 +15,11 @@ struct HairlinePoint {
   double bearing_deg;    ///< from straight ahead towards the side
   double elevation_deg;  ///< of the hairline
 };
-/// Forehead, receding at the temple, sideburn, free ear, nape.
-constexpr HairlinePoint kHairline[] = {{0.0, 29.0},   {20.0, 29.5},   {34.0, 28.0},   {46.0, 22.0},   {56.0, 8.0},
-                                       {62.0, -4.0},  {67.0, -24.0},  {82.5, -27.0},  {87.0, -6.0},   {92.0, 0.0},
-                                       {104.0, -2.0}, {113.0, -22.0}, {124.0, -40.0}, {145.0, -46.0}, {180.0, -48.0}};
+/// Forehead with a peak in the middle, receding above the temple, its point, sideburn, free ear, nape.
+constexpr HairlinePoint kHairline[] = {{0.0, 32.8},   {8.0, 33.5},    {16.0, 36.0},   {25.0, 40.3},   {32.0, 41.0},
+                                       {38.0, 35.0},  {43.0, 25.0},   {48.0, 15.0},   {53.0, 8.0},    {60.0, 2.0},
+                                       {64.0, -6.0},  {68.0, -22.0},  {79.0, -25.0},  {86.0, -6.0},   {92.0, 1.0},
+                                       {103.0, -1.0}, {111.0, -18.0}, {122.0, -37.0}, {145.0, -45.0}, {180.0, -48.0}};
 
 double hairline(double bearing_deg) {
   size_t i = 0;
@@ -29,41 +30,59 @@ double hairline(double bearing_deg) {
   return mix(a.elevation_deg, b.elevation_deg, (bearing_deg - a.bearing_deg) / (b.bearing_deg - a.bearing_deg));
 }
 
+/// Between -1 and 1, without a pattern that an eye would find.
+double scattered(int column, int row) {
+  return ((column * 37 + row * 53 + column * column * 11 + row * column * 7) % 17) / 8.0 - 1.0;
+}
+
 }  // namespace
 
 void add_hair(Head& head) {
-  constexpr int kRound = 66;
-  /// Share of the way from the hairline to the crown, and how much of the full thickness.
-  struct Row {
-    double share, thick;
-  };
-  constexpr Row kRows[] = {{0.0, -1.0}, {0.0, 0.12}, {0.03, 0.42}, {0.08, 0.68}, {0.16, 0.88}, {0.26, 1.0},
-                           {0.38, 1.0}, {0.52, 1.0}, {0.66, 1.0},  {0.80, 1.0},  {0.92, 1.0}};
+  constexpr int kRound = 80;
+  /// Shares of the way from the hairline to the crown; the first row lies under the skin.
+  constexpr double kShares[] = {0.0, 0.0, 0.025, 0.06, 0.11, 0.17, 0.24, 0.33, 0.45, 0.58, 0.72, 0.86, 0.95};
+  /// Locks round the head: some 15 mm each.
+  constexpr double kLocks = 30.0;
   const Field field = [&](const Vec3& p) { return skull_field(p, head.eye_x); };
   const Colour hair(Pigment::kHair);
-  Grid grid(static_cast<int>(std::size(kRows)), kRound, true, Part::kHair);
+  const Colour skin(Pigment::kSkin);
+  Grid grid(static_cast<int>(std::size(kShares)), kRound, true, Part::kHair);
   for (int row = 0; row < grid.rows; ++row) {
+    const double share = kShares[row];
     for (int column = 0; column < grid.filled_columns(); ++column) {
       const double bearing_deg = 360.0 * column / kRound;
       const Angle bearing = angle_deg(bearing_deg);
-      // Uneven locks: a hairline drawn with a ruler looks like a cap.
-      const double uneven = column % 3 == 0 ? 1.4 : (column % 5 == 0 ? -1.0 : 0.0);
-      const Angle rise = angle_deg(mix(hairline(bearing_deg) + uneven, 90.0, kRows[row].share));
+      const double front = 1.0 - smooth_step(24.0, 58.0, bearing_deg);
+      const double side = smooth_step(44.0, 56.0, bearing_deg);
+      // Uneven tips: a hairline drawn with a ruler looks like a cap.
+      const double uneven = mix(2.0, 0.7, side) * scattered(column, 3);
+      const double elevation_deg = mix(hairline(bearing_deg) + uneven, 90.0, share);
+      const Angle rise = angle_deg(elevation_deg);
       const Vec3 direction(bearing.sine * rise.cosine, rise.sine, bearing.cosine * rise.cosine);
-      const Vec3 skin = cast(field, kHairCentre, direction, 160.0);
-      // Short at the sides and the nape, full on top and over the forehead.
-      const double top = smooth_step(0.1, 0.8, rise.sine);
-      const double front = smooth_step(0.2, 0.9, bearing.cosine * rise.cosine);
-      const double lock = column % 2 == 0 ? 0.8 : 0.0;
-      const double full = 4.0 + 6.0 * top + 3.5 * top * front + lock;
+      const Vec3 on_skin = cast(field, kHairCentre, direction, 160.0);
+      // Cropped at the sides and the nape, longer upwards; over the forehead it stands up before it lies back.
+      const double top = smooth_step(8.0, 62.0, elevation_deg);
+      const double standing = front * smooth_step(0.02, 0.20, share) * (1.0 - smooth_step(0.24, 0.75, share));
+      const double root = mix(smooth_step(-0.04, 0.13, share), smooth_step(-0.12, 0.32, share), side);
+      // Locks lean a little to the back as they run up, and are deeper where the hair is longer.
+      const double lock = angle_deg(kLocks * bearing_deg + 250.0 * share).sine;
+      const double relief = (0.45 + 0.95 * top) * (0.7 * lock + 0.5 * scattered(column, row)) * root;
+      const double full = 3.2 + 8.6 * top + 8.5 * standing;
       Vertex& v = grid.at(row, column);
-      v.point = skin + direction * (kRows[row].thick < 0.0 ? -5.0 : full * kRows[row].thick);
-      v.colour = hair * ((column * 7) % 5 == 0 ? 1.2 : ((column * 3) % 4 == 0 ? 0.86 : 0.97));
+      v.point = on_skin + direction * (row == 0 ? -5.0 : full * root + relief * smooth_step(0.0, 0.05, share));
+      // Strands, light on what faces the sky; towards the cropped edge the skin shows through.
+      const double strand = 1.0 + 0.17 * lock + 0.13 * scattered(column, row / 3);
+      const double shine =
+          1.0 + 0.22 * smooth_step(24.0, 46.0, elevation_deg) * (1.0 - smooth_step(52.0, 80.0, elevation_deg));
+      const double bare =
+          mix(0.4 * (1.0 - smooth_step(0.0, 0.05, share)), 0.46 * (1.0 - smooth_step(0.02, 0.17, share)), side);
+      v.colour = mix(hair * (strand * shine), skin * 0.8, bare);
     }
   }
   grid.first_pole.point = kHairCentre;
-  grid.last_pole.point = cast(field, kHairCentre, {0.0, 1.0, 0.0}, 160.0) + Vec3(0.0, 10.0, 0.0);
+  grid.last_pole.point = cast(field, kHairCentre, {0.0, 1.0, 0.0}, 160.0) + Vec3(0.0, 11.0, 0.0);
   grid.first_pole.colour = grid.last_pole.colour = hair;
+  grid.weigh(0.3);
   add_piece(head, grid, std::vector<Site>(grid.points.size() + 2, Site{Piece::kHair, 0.0, 0.0, 0.0}), false);
 }
 

@@ -169,8 +169,8 @@ void add_skin(Head& head) {
         vertex.point = cast(field, kInside, far_direction(degrees, turn), 160.0);
         vertex.colour = skin_colour(vertex.point);
         // The back of the skull is under the hair.
-        const bool bare = vertex.point.z > 20.0 || vertex.point.y < 20.0;
-        vertex.importance = vertex.point.z > 55.0 ? 4.0 : (bare ? 1.0 : 0.1);
+        const bool bare = vertex.point.z > 20.0 || vertex.point.y < 30.0;
+        vertex.importance = vertex.point.z > 55.0 ? 4.0 : (bare ? 1.0 : 0.2);
       }
     }
   }
