@@ -86,39 +86,79 @@ void add_hair(Head& head) {
   add_piece(head, grid, std::vector<Site>(grid.points.size() + 2, Site{Piece::kHair, 0.0, 0.0, 0.0}), false);
 }
 
+namespace {
+
+/// A round hump of height 1 at a place of the ear's plane (up, forwards), gone `radius` millimetres away.
+double hump(double up, double forwards, double centre_up, double centre_forwards, double radius) {
+  return 1.0 - smooth_step(0.15 * radius, radius, length(Vec3(up - centre_up, forwards - centre_forwards, 0.0)));
+}
+
+/// How high the ear's front stands over its plane, and its tone: 1 on what is lit, less in the hollows.
+struct EarRelief {
+  double height, tone;
+};
+/// `share` of the way from the canal to the outline, millimetres up and forwards.
+EarRelief ear_relief(double share, double up, double forwards) {
+  const double back = smooth_step(-8.0, 2.0, 0.0 - forwards);
+  const double lobe = smooth_step(15.0, 22.0, 0.0 - up);
+  // The rolled rim from the front round the top and the back, and the groove inside it.
+  const double helix = smooth_step(0.80, 0.92, share) * (1.0 - lobe);
+  // The second ridge behind the bowl; above it forks, and the hollow between its arms shows.
+  const double ridge = smooth_step(0.44, 0.56, share) * (1.0 - smooth_step(0.62, 0.76, share));
+  const double fork = hump(up, forwards, 13.5, 2.0, 6.5);
+  const double antihelix = ridge * back * (1.0 - lobe) * (1.0 - 0.8 * fork);
+  // The bowl, divided by the root of the rim that runs into it from the front.
+  const double bowl = 1.0 - smooth_step(0.34, 0.52, share);
+  const double crus = hump(up, forwards, 1.5, 6.5, 5.5);
+  // Before the canal the tragus, opposite it the antitragus.
+  const double tragus = hump(up, forwards, -4.0, 10.0, 6.5);
+  const double antitragus = hump(up, forwards, -13.0, 1.0, 6.0);
+  const double height = 2.6 + 6.4 * helix + 5.6 * antihelix - 4.4 * bowl * (1.0 - 0.6 * crus) - 1.6 * fork +
+                        5.0 * tragus + 3.4 * antitragus + 3.8 * lobe;
+  const double tone = 0.74 + 0.26 * helix + 0.26 * antihelix - 0.24 * bowl * (1.0 - 0.5 * crus) - 0.07 * fork +
+                      0.2 * tragus + 0.14 * antitragus + 0.2 * lobe;
+  return {height, tone < 1.0 ? tone : 1.0};
+}
+
+}  // namespace
+
 void add_ears(Head& head) {
-  /// From the root inside the head over the back and the rim into the bowl: share of the outline, height over the head.
+  /// From the root inside the head over the back to the outline: share of the outline, height over the head. Then the
+  /// front, whose height is that of its relief.
   struct Row {
-    double share, height, tone;
+    double share, height;
   };
-  constexpr Row kRows[] = {{0.55, -6.0, 1.0}, {0.86, 2.0, 0.9},  {1.0, 6.5, 0.97},  {0.99, 8.6, 1.0},
-                           {0.92, 9.4, 1.0},  {0.83, 7.6, 0.86}, {0.72, 5.2, 0.78}, {0.60, 6.6, 0.94},
-                           {0.50, 6.2, 0.92}, {0.38, 2.2, 0.72}, {0.2, 0.6, 0.62}};
-  constexpr int kRound = 20;
+  constexpr Row kBack[] = {{0.55, -6.0}, {0.86, 1.0}, {1.0, 6.0}};
+  constexpr double kFront[] = {0.985, 0.93, 0.85, 0.77, 0.69, 0.61, 0.53, 0.44, 0.34, 0.2};
+  constexpr int kRound = 24;
+  constexpr int kBackRows = static_cast<int>(std::size(kBack));
   const Vec3 centre(71.0, 39.0, -6.0);
   const Colour ear = mix(Pigment::kSkin, Pigment::kLips, 0.22);
-  Grid grid(static_cast<int>(std::size(kRows)), kRound, false, Part::kEar);
+  Grid grid(kBackRows + static_cast<int>(std::size(kFront)), kRound, false, Part::kEar);
   for (int row = 0; row < grid.rows; ++row) {
-    const Row& spec = kRows[row];
+    const bool behind = row < kBackRows;
+    const double share = behind ? kBack[row].share : kFront[row - kBackRows];
     for (int column = 0; column < kRound; ++column) {
       const Angle turn = angle_deg(360.0 * column / kRound);
       // Wide above, narrow at the lobe; leans back; its back edge stands off the head.
       const double y = 29.5 * turn.cosine;
-      const double wide = 17.5 * mix(0.66, 1.0, smooth_step(-30.0, 12.0, y));
+      const double wide = 17.5 * mix(0.84, 1.0, smooth_step(-30.0, 8.0, y));
       const double z = wide * turn.sine;
       // The lobe grows out of the jaw, which is narrower than the skull.
-      const double inwards = 0.62 * positive(0.0 - y - 2.0) * spec.share;
+      const double inwards = 0.62 * positive(0.0 - y - 2.0) * share;
       const double lobe = smooth_step(0.55, 0.95, 0.0 - turn.cosine);
-      const double height = mix(spec.height, spec.height < 0.0 ? spec.height : 5.0, lobe * 0.8);
+      const EarRelief relief = behind ? EarRelief{kBack[row].height, 0.95} : ear_relief(share, y * share, z * share);
+      const double height = behind && row > 1 ? mix(relief.height, 5.0, 0.8 * lobe) : relief.height;
       grid.at(row, column).point =
-          centre + Vec3(height - 0.34 * z * spec.share - inwards, y * spec.share, (z - 0.22 * y) * spec.share);
-      grid.at(row, column).colour = ear * mix(spec.tone, 1.0, lobe);
+          centre + Vec3(height - 0.34 * z * share - inwards, y * share, (z - 0.22 * y) * share);
+      grid.at(row, column).colour = ear * relief.tone;
     }
   }
   grid.first_pole.point = centre + Vec3(-12.0, 0.0, 0.0);
   grid.first_pole.colour = ear;
-  grid.last_pole.point = centre + Vec3(0.5, -2.0, 2.0);
-  grid.last_pole.colour = ear * 0.55;
+  grid.last_pole.point = centre + Vec3(-1.5, -3.0, 3.0);
+  grid.last_pole.colour = ear * 0.5;
+  grid.weigh(2.0);
   add_piece(head, grid, std::vector<Site>(grid.points.size() + 2, Site{Piece::kEar, 0.0, 0.0, 0.0}), true);
 }
 
