@@ -63,7 +63,7 @@ void add_hair(Head& head) {
       // Cropped at the sides and the nape, longer upwards; over the forehead it stands up before it lies back.
       const double top = smooth_step(8.0, 62.0, elevation_deg);
       const double standing = front * smooth_step(0.02, 0.20, share) * (1.0 - smooth_step(0.24, 0.75, share));
-      const double root = mix(smooth_step(-0.04, 0.13, share), smooth_step(-0.12, 0.32, share), side);
+      const double root = mix(smooth_step(-0.04, 0.13, share), smooth_step(-0.18, 0.32, share), side);
       // Locks lean a little to the back as they run up, and are deeper where the hair is longer.
       const double lock = angle_deg(kLocks * bearing_deg + 250.0 * share).sine;
       const double relief = (0.45 + 0.95 * top) * (0.7 * lock + 0.5 * scattered(column, row)) * root;

@@ -133,6 +133,11 @@ void add_skin(Head& head) {
   // Lips without paint are half skin.
   const Colour lips = mix(Pigment::kLips, Pigment::kSkin, 0.22);
   const Colour dark(Pigment::kMouth);
+  // The nose stands out of the face and has little colour of its own: its form has to carry it.
+  const auto nose = [](Vertex& vertex) {
+    const double away = length((vertex.point - Vec3(0.0, 10.0, 104.0)) / Vec3(22.0, 28.0, 22.0));
+    vertex.importance *= mix(6.0, 1.0, smooth_step(0.5, 1.4, away));
+  };
   for (int column = 0; column < kColumns; ++column) {
     // Closer columns above the mouth, where the nose and the eyes are.
     const double even = 360.0 * column / kColumns;
@@ -149,7 +154,7 @@ void add_skin(Head& head) {
         vertex.point = Vec3(x, kMouthY + kMouthLift * x * x + hole.half_height * turn.cosine,
                             kMouthZ - hole.depth - 0.012 * x * x);
         vertex.colour = mix(lips * 0.55, dark, smooth_step(3.0, 14.0, hole.depth));
-        vertex.importance = 0.5;
+        vertex.importance = 0.3;
         vertex.occlusion = 0.0;
       } else if (row < pocket + near) {
         site.ring = kNearRings[static_cast<size_t>(row - pocket)];
@@ -161,7 +166,8 @@ void add_skin(Head& head) {
         const double pale = site.ring < 1.0 ? 0.0 : 0.8 * smooth_step(0.84, 1.0, side);
         const Colour skin = skin_colour(vertex.point);
         vertex.colour = site.ring < 8.0 ? mix(lip, skin, pale) : skin;
-        vertex.importance = site.ring < 10.0 ? 20.0 : 4.0;
+        vertex.importance = site.ring < 10.0 ? 40.0 : 4.0;
+        nose(vertex);
         vertex.occlusion = smooth_step(6.0, 20.0, site.ring);
       } else {
         const double degrees = kFarRings[static_cast<size_t>(row - pocket - near)];
@@ -171,6 +177,7 @@ void add_skin(Head& head) {
         // The back of the skull is under the hair.
         const bool bare = vertex.point.z > 20.0 || vertex.point.y < 30.0;
         vertex.importance = vertex.point.z > 55.0 ? 4.0 : (bare ? 1.0 : 0.2);
+        nose(vertex);
       }
     }
   }

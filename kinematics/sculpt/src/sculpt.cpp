@@ -52,7 +52,7 @@ namespace {
 struct Budget {
   size_t low, normal;
 };
-constexpr Budget kTrunkBudget{400, 2300}, kNeckBudget{90, 360}, kHeadBudget{1880, 6698};
+constexpr Budget kTrunkBudget{340, 2300}, kNeckBudget{90, 360}, kHeadBudget{1940, 6698};
 constexpr Budget kUpperArmBudget{150, 560}, kForearmBudget{130, 440}, kPalmBudget{500, 1250};
 constexpr Budget kPhalanxBudget{38, 200}, kTipBudget{54, 255};  // the last bone has a nail
 
