@@ -78,7 +78,13 @@ Sculpture sculpt_phalanx(const Measurements& table, int digit, int bone) {
                    : tube_rows(2, refined({0.0, 0.16, 0.36, 0.62, 0.84, 1.0}), 4);
   Grid grid = cast_tube(field, tube, Part::kSkin);
 
+  // Where the nail lies, and how broad it is at each place along it.
+  const double nail_half = far * 0.77;
+  const double nail_from = bone_length * (thumb ? 0.42 : 0.44);
+  const double nail_to = bone_length * 0.985;
+
   const Colour flush(Pigment::kFlush);
+  const Colour crease = mix(flush, Pigment::kLips, 0.35) * 0.86;
   paint(grid, [&](const Vec3& p) {
     const double t = glm::dot(p, along);
     const Vec3 radial = normalised(p - along * t);
@@ -94,8 +100,22 @@ Sculpture sculpt_phalanx(const Measurements& table, int digit, int bone) {
     // Knuckles are redder on the back, and folded on the palm's side.
     const double joint_near = bone > 0 ? 1.0 - smooth_step(0.0, 5.0, t < 0.0 ? -t : t) : 0.0;
     c = mix(c, flush, 0.55 * joint_near * smooth_step(0.1, 0.7, facing));
-    c = c * mix(1.0, 0.91, joint_near * smooth_step(0.0, 0.6, -facing));
-    if (last) c = mix(c, flush, 0.6 * smooth_step(0.5, 1.0, t / bone_length));
+    // On the palm's side the skin folds: a line at each joint, on what lies before it and behind it alike; the finger's
+    // root folds where the web begins.
+    const double fold_at = bone > 0 || thumb ? 0.0 : kWebReach;
+    const double behind = t - fold_at;
+    const double before = last ? 1e3 : t - m.bones[joint];
+    const double fold = std::min(behind < 0.0 ? -behind : behind, before < 0.0 ? -before : before);
+    c = mix(c, crease, 0.62 * (1.0 - smooth_step(0.5, 2.4, fold)) * smooth_step(0.1, 0.6, -facing));
+    if (last) {
+      c = mix(c, flush, 0.6 * smooth_step(0.5, 1.0, t / bone_length));
+      // The fold of skin round the nail.
+      const double sideways = glm::dot(p, side);
+      const double across = (sideways < 0.0 ? -sideways : sideways) - nail_half;
+      const double rim = std::max(across, nail_from - t);
+      c = mix(c, crease,
+              0.5 * smooth_step(-1.0, 0.0, rim) * (1.0 - smooth_step(0.4, 2.0, rim)) * smooth_step(0.2, 0.6, facing));
+    }
     return c;
   });
   Shape shape;
@@ -103,15 +123,12 @@ Sculpture sculpt_phalanx(const Measurements& table, int digit, int bone) {
 
   if (last) {
     // The nail: a thin curved plate on the back of the tip, its root sunk in the skin.
-    const double half_width = far * 0.74;
-    const double from = bone_length * (thumb ? 0.42 : 0.44);
-    const double to = bone_length * 0.985;
     const double outline[5][2] = {{0.0, 0.55}, {0.14, 0.92}, {0.5, 1.0}, {0.82, 0.96}, {1.0, 0.62}};
     Grid nail(5, 8, false, Part::kNail);
     const Colour plate(Pigment::kNail);
     for (int row = 0; row < 5; ++row) {
-      const double x = mix(from, to, outline[row][0]);
-      const double width = half_width * outline[row][1];
+      const double x = mix(nail_from, nail_to, outline[row][0]);
+      const double width = nail_half * outline[row][1];
       for (int column = 0; column < 8; ++column) {
         const Angle turn = angle_deg(45.0 * column);
         const double across = turn.sine * width;
@@ -129,8 +146,8 @@ Sculpture sculpt_phalanx(const Measurements& table, int digit, int bone) {
       v.colour = plate;
       return v;
     };
-    nail.first_pole = pole(from - 0.5);
-    nail.last_pole = pole(to + 0.15);
+    nail.first_pole = pole(nail_from - 0.5);
+    nail.last_pole = pole(nail_to + 0.15);
     append(shape, nail);
   }
   Sculpture made = finish(shape);

@@ -28,6 +28,9 @@ DigitLine digit_line(const Measurements& table, int digit);
 /// Eye level above head_base.
 inline constexpr double kEyeLevel = 50.0;
 
+/// How far the webs between the fingers reach beyond the knuckles' joints; longer ones turn inside out in some poses.
+inline constexpr double kWebReach = 8.5;
+
 /// The skin of the hand: the back a little darker than the palm; `facing` is 1 on the back, -1 on the palm's side.
 Colour hand_colour(double facing);
 

@@ -22,6 +22,8 @@ Sculpture sculpt_palm(const Measurements& table) {
   const std::array<double, 5> radius = {0.0, 0.5 * table.digits[1].breadths[0], 0.5 * table.digits[2].breadths[0],
                                         0.5 * table.digits[3].breadths[0], 0.5 * table.digits[4].breadths[0]};
 
+  constexpr double kWebHalf = 3.6;  // half its thickness
+  const auto knuckle_at = [lines](int digit) { return lines[static_cast<size_t>(digit)].joints[0]; };
   // Places in the palm are those of a mean hand.
   const Vec3 size(table.hand_length / 187.0, thick / 29.0, breadth / 83.0);
   const auto sized = [size](double x, double y, double z) { return Vec3(x, y, z) * size; };
@@ -52,6 +54,11 @@ Sculpture sculpt_palm(const Measurements& table) {
              round_cone(p, sized(44.0, -4.0, 20.0), 10.0,
                         thumb.joints[0] + thumb.direction * (34.0 * size.x) + sized(-1.0, 0.0, -3.0), 6.5),
              12.0);
+    // The webs between the fingers: one fold of skin along the knuckles, hidden in the fingers' roots where they are.
+    for (int digit = 1; digit < 4; ++digit) {
+      const Vec3 forward(kWebReach * size.x - kWebHalf, -3.5, 0.0);
+      d = join(d, round_cone(p, knuckle_at(digit) + forward, kWebHalf, knuckle_at(digit + 1) + forward, kWebHalf), 6.0);
+    }
     d = carve(d, ellipsoid(p, sized(56.0, -22.0, 0.0), sized(26.0, 9.5, 14.0)), 9.0);
     // Tendons leave shallow furrows between the knuckles on the back.
     for (int digit = 1; digit < 4; ++digit) {

@@ -48,10 +48,10 @@ Paint paint_of(const Colour& colour) {
 Appearance appearance_of(const TableAppearance& look) {
   const auto vector_of = [](const TableColour& c) { return Vec3(c.red, c.green, c.blue); };
   const Vec3 skin = vector_of(look.skin);
-  // Nails are as light as the palm, their edge whiter, but not on dark skin.
+  // Nails are lighter than the palm, their edge whiter still, but not on dark skin.
   const Vec3 palm = vector_of(look.palm);
-  const Vec3 nail = palm * Vec3(1.02, 0.975, 0.99);
   const double white = 0.55 * smooth_step(90.0, 200.0, palm.y);
+  const Vec3 nail = mix(palm * Vec3(1.02, 0.975, 0.99), Vec3(252.0, 226.0, 218.0), 0.8 * white);
   std::array<Vec3, kPigmentCount> colours{};
   const auto set = [&colours](Pigment pigment, const Vec3& colour) { colours[static_cast<size_t>(pigment)] = colour; };
   set(Pigment::kSkin, skin);
