@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // figure_sheets FOLDER [AVATAR...] writes what a person should look at after a change of the figure or of the signing:
 // FOLDER/figure.png, every handshape from the viewer's side and from behind (FOLDER/handshapes.png), every letter of
-// the alphabet (FOLDER/letters.png), and the same sentence signed by the figure and by each avatar: FOLDER/avatars.png.
+// the alphabet (FOLDER/letters.png), and the same sentence signed by the figure and by each avatar
+// that is there: FOLDER/avatars.png.
 #include "avatar_images.h"
 #include "body.h"
 #include "gltf/avatar_gltf.h"
@@ -17,6 +18,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <glm/mat4x4.hpp>
 #include <optional>
 #include <span>
@@ -279,8 +281,13 @@ void write_all(const std::string& folder, std::span<char*> avatars) {
   write(folder + "/letters.png", contact_sheet({all_letters()}, 8, kCell, kCell, text));
   if (avatars.empty()) return;
   std::vector<Row> rows = {sentence("signer", Body{.figure = &shipped().figure})};
-  for (const char* path : avatars)
-    rows.push_back(sentence_of_avatar(path));
+  for (const char* path : avatars) {
+    if (std::filesystem::exists(path)) {
+      rows.push_back(sentence_of_avatar(path));
+    } else {
+      std::fprintf(stderr, "figure_sheets: there is no %s; the sheet goes without it\n", path);
+    }
+  }
   write(folder + "/avatars.png", contact_sheet(rows, 8, kCell, kCell, text));
 }
 
