@@ -16,10 +16,14 @@ namespace {
 
 // Work is handed out in pieces of about this many vertices or triangles.
 constexpr size_t kPieceSize = 2048;
+// Fewer triangles than this are not worth a thread's waking.
+constexpr size_t kLeastGroup = 16;
 // Of a frame. Each group of triangles has a bin of its own, and there are no more bins than a deferred colour can name.
 constexpr uint64_t kMostTriangles = uint64_t{1} << 27U;
 constexpr uint64_t kMostVertices = uint64_t{1} << 30U;
-static_assert(kMostTriangles / (Bins::kMostTriangles - kPieceSize) + 8U * kMaxThreads / 2U < Bins::kMost);
+static_assert(std::max(kMostTriangles / (Bins::kMostTriangles - kPieceSize) + 1U, uint64_t{kMaxThreads}) +
+                  Bins::kMost / 2 <
+              Bins::kMost);
 static_assert(kMostVertices / kPieceSize <= Workers::kMostItems);
 
 template <class Value>
@@ -178,7 +182,7 @@ void Frame::find_changes() {
 }
 
 // Cuts the draws into pieces and gathers these into groups: one for each run of draws that have or have not changed,
-// and some more where there are threads to share them.
+// and as many as there are threads to share them.
 void Frame::list_pieces() {
   vertex_pieces_.clear();
   pieces_.clear();
@@ -187,7 +191,8 @@ void Frame::list_pieces() {
   for (const RecordedDraw& draw : std::span(draws_).first(draw_count_))
     all += draw.good ? draw.mesh.indices.size() / 3 : 0;
   const auto workers = static_cast<size_t>(workers_->count());
-  const size_t shared = workers == 1 ? all : std::max(all / (8 * workers), size_t{512});
+  // Each group has a list a tile: more of them than threads cost the tiles more than a better balance spares.
+  const size_t shared = workers == 1 ? all : std::max((all + workers - 1) / workers, kLeastGroup);
   const size_t group_size = std::clamp(shared, size_t{1}, Bins::kMostTriangles - kPieceSize);
   const size_t piece_size = std::min(kPieceSize, group_size);
   size_t in_group = 0;

@@ -6,14 +6,14 @@
 namespace auslan::raster {
 namespace {
 
-// ticket: job number | items | next item
+// ticket: job number | end of the part | next item
 constexpr uint64_t kItemBits = 20;
 constexpr uint64_t kItemMask = (uint64_t{1} << kItemBits) - 1U;
 
 uint64_t next_item(uint64_t ticket) {
   return ticket & kItemMask;
 }
-uint64_t item_count(uint64_t ticket) {
+uint64_t part_end(uint64_t ticket) {
   return ticket >> kItemBits & kItemMask;
 }
 uint64_t job_number(uint64_t ticket) {
@@ -33,7 +33,7 @@ void relax() {
 
 }  // namespace
 
-Workers::Workers(int count) {
+Workers::Workers(int count) : parts_(static_cast<size_t>(count)) {
   threads_.reserve(static_cast<size_t>(count - 1));
   try {
     for (int worker = 1; worker < count; ++worker)
@@ -58,10 +58,15 @@ void Workers::share(uint32_t items, Function function, void* context) {
     return;
   }
   // The last job is done, so nobody reads its successor's place, which held the one before the last.
-  const uint64_t number = job_number(ticket_.load()) + 1U;
+  const uint64_t number = ++job_;
   jobs_[number & 1U] = Job{function, context};
   done_.store(0);
-  ticket_.store(number << (2 * kItemBits) | uint64_t{items} << kItemBits);
+  uint64_t begin = 0;
+  for (size_t i = 0; i < parts_.size(); ++i) {
+    const uint64_t end = uint64_t{items} * (i + 1) / parts_.size();
+    parts_[i].ticket.store(number << (2 * kItemBits) | end << kItemBits | begin);
+    begin = end;
+  }
   wake_.fetch_add(1);
   if (asleep_.load() > 0) wake_.notify_all();
   while (claim_and_run(0)) {
@@ -76,14 +81,20 @@ void Workers::share(uint32_t items, Function function, void* context) {
 }
 
 bool Workers::claim_and_run(int worker) {
-  if (next_item(ticket_.load()) >= item_count(ticket_.load())) return false;
-  const uint64_t ticket = ticket_.fetch_add(1);
-  const uint64_t item = next_item(ticket);
-  if (item >= item_count(ticket)) return false;
-  const Job& job = jobs_[job_number(ticket) & 1U];
-  job.function(job.context, static_cast<uint32_t>(item), worker);
-  done_.fetch_add(1);
-  return true;
+  const size_t count = parts_.size();
+  for (size_t i = 0, k = static_cast<size_t>(worker); i < count; ++i, k = k + 1 == count ? 0 : k + 1) {
+    std::atomic<uint64_t>& part = parts_[k].ticket;
+    const uint64_t seen = part.load();
+    if (next_item(seen) >= part_end(seen)) continue;
+    const uint64_t ticket = part.fetch_add(1);
+    const uint64_t item = next_item(ticket);
+    if (item >= part_end(ticket)) continue;
+    const Job& job = jobs_[job_number(ticket) & 1U];
+    job.function(job.context, static_cast<uint32_t>(item), worker);
+    done_.fetch_add(1);
+    return true;
+  }
+  return false;
 }
 
 void Workers::serve(int worker) {

@@ -39,9 +39,15 @@ class Workers {
   bool claim_and_run(int worker);
   void serve(int worker);
 
-  // One word tells which job it is, how many items it has and which is next, so that a claim is one addition. A worker
-  // that comes late may claim an item of a later job than it looked for: it gets that job's item, which is as good.
-  std::atomic<uint64_t> ticket_{0};
+  // Each worker has a part of a job's items, the same part of the next frame's job, so that what it wrote last is still
+  // in its cache; who has finished takes from the others' parts. One word tells which job it is, where the part ends
+  // and which item is next, so that a claim is one addition. A worker that comes late may claim an item of a later job
+  // than it looked for: it gets that job's item, which is as good.
+  struct alignas(64) Part {
+    std::atomic<uint64_t> ticket{0};
+  };
+  std::vector<Part> parts_;  ///< one a worker
+  uint64_t job_ = 0;         ///< the last job's number
   Job jobs_[2];  ///< by the job's number, even and odd; one cannot be reused while an item of it is being worked on
   std::atomic<uint32_t> done_{0};
   std::atomic<uint32_t> wake_{0};  ///< changes when there is something to do
