@@ -181,27 +181,40 @@ ThumbCarriage thumb_carriage(const HandGeometry& hand, const Quat& local) {
   return carriage_of(sphere);
 }
 
-void pose_hand(const Skeleton& skeleton, Side side, const HandAngles& angles, Pose& pose) {
-  const ArmNodes nodes = arm_nodes(skeleton, side);
-  const HandGeometry hand = hand_geometry(skeleton, nodes, side);
-  const auto rotation = [&](size_t digit, size_t joint) -> Quat& {
-    return pose.rotation[static_cast<size_t>(nodes.digits[digit][joint])];
-  };
+namespace {
 
+DigitRotations rotations_of(const HandGeometry& hand, const HandAngles& angles) {
+  DigitRotations rotation;
   for (size_t finger = 0; finger < 4; ++finger) {
     const FingerAxes& axes = hand.fingers[finger];
     const DigitAngles& digit = angles.fingers[finger];
     const double freedom = 1.0 - 0.75 * smooth_step(kSpreadFadeStart, kSpreadFadeEnd, digit.mcp);
     const double spread = axes.outward * digit.abduction * freedom - axes.rest_splay;
-    rotation(finger + 1, 0) = axis_angle(hand.spread_axis, spread) * axis_angle(axes.bend[0], digit.mcp);
-    rotation(finger + 1, 1) = axis_angle(axes.bend[1], digit.pip);
-    rotation(finger + 1, 2) = axis_angle(axes.bend[2], digit.dip);
+    rotation[finger + 1] = {axis_angle(hand.spread_axis, spread) * axis_angle(axes.bend[0], digit.mcp),
+                            axis_angle(axes.bend[1], digit.pip), axis_angle(axes.bend[2], digit.dip)};
   }
-
   const ThumbPose& thumb = angles.thumb;
-  rotation(0, 0) = thumb_rotation(hand, {thumb.radial_abduction, thumb.palmar_abduction, thumb.opposition});
-  rotation(0, 1) = axis_angle(hand.thumb_mp_axis, thumb.mp) * hand.thumb_mp_straight;
-  rotation(0, 2) = axis_angle(hand.thumb_ip_axis, thumb.ip);
+  rotation[0] = {thumb_rotation(hand, {thumb.radial_abduction, thumb.palmar_abduction, thumb.opposition}),
+                 axis_angle(hand.thumb_mp_axis, thumb.mp) * hand.thumb_mp_straight,
+                 axis_angle(hand.thumb_ip_axis, thumb.ip)};
+  return rotation;
+}
+
+}  // namespace
+
+HandRig::HandRig(const Skeleton& skeleton, Side side)
+    : geometry_(std::make_shared<const HandGeometry>(hand_geometry(skeleton, arm_nodes(skeleton, side), side))) {}
+
+DigitRotations HandRig::rotations(const HandAngles& angles) const {
+  return rotations_of(*geometry_, angles);
+}
+
+void pose_hand(const Skeleton& skeleton, Side side, const HandAngles& angles, Pose& pose) {
+  const ArmNodes nodes = arm_nodes(skeleton, side);
+  const DigitRotations rotation = rotations_of(hand_geometry(skeleton, nodes, side), angles);
+  for (size_t digit = 0; digit < 5; ++digit)
+    for (size_t joint = 0; joint < 3; ++joint)
+      pose.rotation[static_cast<size_t>(nodes.digits[digit][joint])] = rotation[digit][joint];
 }
 
 Vec3 rest_thumb_pad(const Skeleton& skeleton, Side side) {

@@ -69,6 +69,10 @@ struct ArmReach::State {
   double excess(const ArmSolution& solution) const {
     JointAngles forearm = angles_about(elbow, solution.elbow), hand = angles_about(wrist, solution.wrist);
     share_twist(forearm, hand);
+    return excess(solution, forearm, hand);
+  }
+  /// Forearm and hand as share_twist leaves them.
+  double excess(const ArmSolution& solution, const JointAngles& forearm, const JointAngles& hand) const {
     return std::sqrt(squared_excess(shoulder_limits(), angles_about(shoulder, solution.shoulder)) +
                      squared_excess(elbow_limits(), forearm) + squared_excess(wrist_limits(), hand));
   }
@@ -88,11 +92,12 @@ ArmReach::Reached ArmReach::reach(const Quat& wanted, const Vec3& pivot, const V
   const State& s = *state_;
   Reached reached;
   reached.wrist.rotation = wanted;
+  JointAngles elbow, wrist;
   for (int round = 0; round < rounds; ++round) {
     reached.wrist.position = target - reached.wrist.rotation * pivot;
     reached.arm = solve_in_parent(s.arm, reached.wrist, swivel);
-    JointAngles elbow = angles_about(s.elbow, reached.arm.elbow);
-    JointAngles wrist = angles_about(s.wrist, reached.arm.wrist);
+    elbow = angles_about(s.elbow, reached.arm.elbow);
+    wrist = angles_about(s.wrist, reached.arm.wrist);
     s.share_twist(elbow, wrist);
     if (squared_excess(s.elbow_within, elbow) == 0.0 && squared_excess(s.wrist_within, wrist) == 0.0) break;
     if (round + 1 == rounds) break;
@@ -103,9 +108,13 @@ ArmReach::Reached ArmReach::reach(const Quat& wanted, const Vec3& pivot, const V
                                           rotation_about(s.wrist, brought_within(s.wrist_within, wrist)));
   }
   reached.lean = angle_between(wanted, reached.wrist.rotation);
-  reached.excess = s.excess(reached.arm);
+  reached.excess = s.excess(reached.arm, elbow, wrist);
   reached.off = reached.arm.shortfall;
   return reached;
+}
+
+ArmSolution ArmReach::solve(const Transform& parent_from_wrist, double swivel) const {
+  return solve_in_parent(state_->arm, parent_from_wrist, swivel);
 }
 
 double ArmReach::excess(const Transform& parent_from_wrist, double swivel) const {

@@ -116,17 +116,6 @@ Vec3 nearest_weights(const std::array<Vec3, 3>& corner, const Vec3& point) {
   return {va / sum, vb / sum, vc / sum};
 }
 
-inline double squared_distance(const Vec3& low, const Vec3& high, const Vec3& point) {
-  double sum = 0.0;
-  for (glm::length_t i = 0; i < 3; ++i) {
-    const double below = low[i] - point[i], above = point[i] - high[i];
-    const double larger = below > above ? below : above;
-    const double beyond = larger > 0.0 ? larger : 0.0;
-    sum += beyond * beyond;
-  }
-  return sum;
-}
-
 /// Of a triangle seen from the origin, steradians, positive from behind (van Oosterom & Strackee 1983).
 double solid_angle(const Vec3& a, const Vec3& b, const Vec3& c) {
   const double la = std::sqrt(square(a));
@@ -216,6 +205,15 @@ Solid::Part Solid::make_part(std::span<const glm::vec3> positions, std::span<con
   std::iota(order.begin(), order.end(), 0U);
   part.boxes.push_back({Vec3(0.0), Vec3(0.0), 0, static_cast<uint32_t>(order.size())});
   divide(part, 0, order);
+  for (size_t i = 1; i + 1 < part.boxes.size(); i += 2) {
+    Pair pair;
+    const Box &a = part.boxes[i], &b = part.boxes[i + 1];
+    for (glm::length_t axis = 0; axis < 3; ++axis) {
+      pair.low[static_cast<size_t>(axis)] = Two{a.low[axis], b.low[axis]};
+      pair.high[static_cast<size_t>(axis)] = Two{a.high[axis], b.high[axis]};
+    }
+    part.pairs.push_back(pair);
+  }
   std::vector<Triangle> sorted;
   sorted.reserve(order.size());
   for (const uint32_t triangle : order)
@@ -288,6 +286,7 @@ std::optional<NearestSurface> Solid::nearest_of(const Part& part, const Vec3& po
     double distance;  // squared, from the point to the box
   };
   std::array<Waiting, kDeepest> stack;
+  const std::array<Two, 3> at = {Two{point.x, point.x}, Two{point.y, point.y}, Two{point.z, point.z}};
   size_t depth = 0;
   const auto wait = [&](uint32_t box, double distance) {
     if (distance <= best) stack[depth++] = {box, distance};
@@ -298,16 +297,18 @@ std::optional<NearestSurface> Solid::nearest_of(const Part& part, const Vec3& po
     if (next.distance > best) continue;
     const Box& box = part.boxes[next.box];
     if (box.count == 0) {
-      const Box& a = part.boxes[box.first];
-      const Box& b = part.boxes[box.first + 1];
-      const double to_a = squared_distance(a.low, a.high, point), to_b = squared_distance(b.low, b.high, point);
-      if (to_a <= to_b) {
-        wait(box.first + 1, to_b);
-        wait(box.first, to_a);
-      } else {
-        wait(box.first, to_a);
-        wait(box.first + 1, to_b);
+      const Pair& pair = part.pairs[(box.first - 1) / 2];
+      Two to{};
+      for (size_t axis = 0; axis < 3; ++axis) {
+        const Two below = pair.low[axis] - at[axis], above = at[axis] - pair.high[axis];
+        const Two larger = below > above ? below : above;
+        const Two beyond = larger > 0.0 ? larger : Two{};
+        to += beyond * beyond;
       }
+      // The nearer one is taken next.
+      const uint32_t nearer = to[0] <= to[1] ? 0 : 1;
+      wait(box.first + 1 - nearer, to[1 - nearer]);
+      wait(box.first + nearer, to[nearer]);
       continue;
     }
     for (uint32_t i = box.first; i < box.first + box.count; ++i)
@@ -328,16 +329,6 @@ std::optional<NearestSurface> Solid::nearest_of(const Part& part, const Vec3& po
   const double side = glm::dot(point - found.position, normal);
   found.distance = side < 0.0 ? -std::sqrt(best) : std::sqrt(best);
   return found;
-}
-
-std::array<int, 3> Solid::cell_of(const Vec3& point) const {
-  std::array<int, 3> cell{};
-  for (size_t i = 0; i < 3; ++i) {
-    const auto axis = static_cast<glm::length_t>(i);
-    const double place = std::clamp((point[axis] - low_[axis]) * grid_.cells_per_metre, 0.0, grid_.count[i] - 1.0);
-    cell[i] = static_cast<int>(place);
-  }
-  return cell;
 }
 
 void Solid::make_grid() {
@@ -462,15 +453,6 @@ void Solid::find_gaps() {
     for (int y = ny; y-- > 0;)
       for (int x = nx; x-- > 0;)
         sweep(x, y, z, -1);
-}
-
-Solid::Whereabouts Solid::whereabouts(const Vec3& point) const {
-  constexpr double kRounding = 1e-9;
-  const double beyond = squared_distance(low_, high_, point);
-  if (beyond > 0.0) return {Grid::Side::kOutside, std::sqrt(beyond) - kRounding, nullptr};
-  const std::array<int, 3> at = cell_of(point);
-  const Grid::Cell& cell = grid_.cells[static_cast<size_t>((at[2] * grid_.count[1] + at[1]) * grid_.count[0] + at[0])];
-  return {cell.side, (std::max<int>(cell.gap, 1) - 1) * grid_.cell - kRounding, cell.gap == 0 ? &cell : nullptr};
 }
 
 double Solid::clearance(const Vec3& point) const {

@@ -8,6 +8,7 @@
 #include "kinematics/skeleton.h"
 
 #include <array>
+#include <memory>
 
 namespace auslan {
 
@@ -59,6 +60,21 @@ struct ThumbPose {
 struct HandAngles {
   std::array<DigitAngles, 4> fingers;  ///< index, middle, ring, little
   ThumbPose thumb;
+};
+
+/// Local rotations of the digits' joints: thumb first, from the root outwards.
+using DigitRotations = std::array<std::array<Quat, 3>, 5>;
+
+struct HandGeometry;
+
+/// One hand of a skeleton, measured once and posed as often as wanted. Owns what it needs.
+class HandRig {
+ public:
+  HandRig(const Skeleton& skeleton, Side side);
+  DigitRotations rotations(const HandAngles& angles) const;
+
+ private:
+  std::shared_ptr<const HandGeometry> geometry_;
 };
 
 /// Writes the rotations of the fifteen digit nodes; leaves the others alone.

@@ -34,6 +34,9 @@ class ArmReach {
   /// `off`.
   Reached reach(const Quat& wanted, const Vec3& pivot, const Vec3& target, double swivel, int rounds = 8) const;
 
+  /// solve_arm() for a wrist in the frame of the shoulder's parent.
+  ArmSolution solve(const Transform& parent_from_wrist, double swivel) const;
+
   /// Radians by which shoulder, elbow and wrist break their limits for a wrist that stays as it is: the root of the sum
   /// of squares.
   double excess(const Transform& parent_from_wrist, double swivel) const;

@@ -4,8 +4,11 @@
 
 #include "kinematics/figure.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -38,6 +41,14 @@ class Solid {
   /// it is not null, is set to how far the point has to move at least to be so deep, metres.
   std::optional<NearestSurface> below(const Vec3& point, double depth, double* above = nullptr) const;
 
+  /// How far a point has to move at least to be deeper than `depth`, metres, told from the grid alone; 0 where the grid
+  /// does not tell that it is not so deep. What is not 0 spares a call of below().
+  double clear_of(const Vec3& point, double depth) const {
+    if (parts_.empty()) return std::numeric_limits<double>::max();
+    const Whereabouts at = whereabouts(point);
+    return at.side == Grid::Side::kOutside ? std::max(0.0, at.gap + depth) : 0.0;
+  }
+
   /// How far from the surface a point outside is at least, metres, told from the grid alone; negative where the grid
   /// does not tell it to be outside.
   double clearance(const Vec3& point) const;
@@ -66,9 +77,16 @@ class Solid {
     uint32_t first = 0;  ///< of its triangles; of a node with children: the first child, the other follows
     uint32_t count = 0;  ///< of its triangles; 0: it has children
   };
+  /// Two numbers that are computed side by side, with the same operations as one by itself.
+  using Two [[gnu::vector_size(16)]] = double;
+  /// Bounds of two boxes side by side, by axis.
+  struct Pair {
+    std::array<Two, 3> low{}, high{};
+  };
   struct Part {
     std::vector<Triangle> triangles;
-    std::vector<Box> boxes;  ///< the root first
+    std::vector<Box> boxes;   ///< the root first, then the children of one box after the other
+    std::vector<Pair> pairs;  ///< boxes 1 and 2, 3 and 4, ...
     bool closed = false;
   };
 
@@ -90,12 +108,38 @@ class Solid {
     const Grid::Cell* cell = nullptr;  ///< where a surface crosses it
   };
 
-  std::array<int, 3> cell_of(const Vec3& point) const;
+  static double squared_distance(const Vec3& low, const Vec3& high, const Vec3& point) {
+    double sum = 0.0;
+    for (glm::length_t i = 0; i < 3; ++i) {
+      const double below = low[i] - point[i], above = point[i] - high[i];
+      const double larger = below > above ? below : above;
+      const double beyond = larger > 0.0 ? larger : 0.0;
+      sum += beyond * beyond;
+    }
+    return sum;
+  }
+  std::array<int, 3> cell_of(const Vec3& point) const {
+    std::array<int, 3> cell{};
+    for (size_t i = 0; i < 3; ++i) {
+      const auto axis = static_cast<glm::length_t>(i);
+      cell[i] =
+          static_cast<int>(std::clamp((point[axis] - low_[axis]) * grid_.cells_per_metre, 0.0, grid_.count[i] - 1.0));
+    }
+    return cell;
+  }
   void make_grid();
   void mark_crossed();
   void find_sides();
   void find_gaps();
-  Whereabouts whereabouts(const Vec3& point) const;
+  Whereabouts whereabouts(const Vec3& point) const {
+    constexpr double kRounding = 1e-9;
+    const double beyond = squared_distance(low_, high_, point);
+    if (beyond > 0.0) return {Grid::Side::kOutside, std::sqrt(beyond) - kRounding, nullptr};
+    const std::array<int, 3> at = cell_of(point);
+    const Grid::Cell& cell =
+        grid_.cells[static_cast<size_t>((at[2] * grid_.count[1] + at[1]) * grid_.count[0] + at[0])];
+    return {cell.side, (std::max<int>(cell.gap, 1) - 1) * grid_.cell - kRounding, cell.gap == 0 ? &cell : nullptr};
+  }
 
   static Part make_part(std::span<const glm::vec3> positions, std::span<const uint32_t> indices,
                         std::span<const uint32_t> triangles);

@@ -35,12 +35,12 @@ constexpr size_t kFree = 6;
 using Row = std::array<double, kFree>;  // of a shift (metres) and a turn (metres by kTurnLength)
 
 struct NormalEquations {
-  std::array<Row, 6> matrix{};
+  std::array<Row, 6> matrix{};  ///< symmetric: on and below the diagonal
   Row right{};
 
   void add(const Row& row, double residual, double weight) {
     for (size_t i = 0; i < kFree; ++i) {
-      for (size_t j = 0; j < kFree; ++j)
+      for (size_t j = 0; j <= i; ++j)
         matrix[i][j] += weight * row[i] * row[j];
       right[i] += weight * row[i] * residual;
     }
@@ -157,8 +157,13 @@ class DeepPoints {
     if (gone < clear) return;
     for (size_t i = 0; i < patch.points.size(); ++i) {
       if (gone < of_point[i]) continue;
-      double above = 0.0;
-      const auto nearest = obstacle.solid->below(in_solid(patch.points[i].position), obstacle.allowed, &above);
+      const Vec3 point = in_solid(patch.points[i].position);
+      double above = obstacle.solid->clear_of(point, obstacle.allowed);
+      if (above > 0.0) {
+        of_point[i] = gone + above;
+        continue;
+      }
+      const auto nearest = obstacle.solid->below(point, obstacle.allowed, &above);
       of_point[i] = gone + above;
       if (nearest)
         deep(patch.points[i].position, -nearest->distance - obstacle.allowed,
@@ -311,7 +316,9 @@ Depth depth_in(std::span<const PlacedPatch> points, std::span<const Obstacle> ob
       const Motion in_solid(solid_from(obstacle, placed.place));
       if (clear_by(centre, patch, obstacle, in_solid) > 0.0) continue;
       for (size_t i = 0; i < count; ++i) {
-        const auto nearest = obstacle.solid->below(in_solid(patch.points[i].position), obstacle.allowed + worst.metres);
+        const Vec3 point = in_solid(patch.points[i].position);
+        if (obstacle.solid->clear_of(point, obstacle.allowed + worst.metres) > 0.0) continue;
+        const auto nearest = obstacle.solid->below(point, obstacle.allowed + worst.metres);
         if (!nearest || -nearest->distance - obstacle.allowed <= worst.metres) continue;
         worst.metres = -nearest->distance - obstacle.allowed;
         worst.out = obstacle.world_from_solid.rotation * nearest->normal;

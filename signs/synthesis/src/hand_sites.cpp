@@ -19,28 +19,33 @@ Vec3 across(const Vec3& v, const Vec3& axis) {
 
 }  // namespace
 
+HandSites::HandSites(const Figure& figure, Side side)
+    : rig_(figure.skeleton, side), frame_(rest_hand_frame(figure.skeleton, side)) {
+  const ArmNodes nodes = arm_nodes(figure.skeleton, side);
+  for (size_t d = 0; d < 5; ++d)
+    for (size_t j = 0; j < 3; ++j)
+      bone_[d][j] = figure.skeleton.node(nodes.digits[d][j]).offset;
+}
+
 Result<HandSites> HandSites::build(const Figure& figure, Side side) {
-  HandSites sites;
-  sites.figure_ = &figure;
-  sites.side_ = side;
-  sites.nodes_ = arm_nodes(figure.skeleton, side);
-  sites.frame_ = rest_hand_frame(figure.skeleton, side);
+  HandSites sites(figure, side);
+  const ArmNodes nodes = arm_nodes(figure.skeleton, side);
   const Skeleton& skeleton = figure.skeleton;
   for (size_t d = 0; d < 5; ++d) {
     for (size_t j = 0; j < 3; ++j) {
-      const int node = sites.nodes_.digits[d][j];
+      const int node = nodes.digits[d][j];
       if (figure.segments[static_cast<size_t>(node)].indices.empty())
         return fail(ErrorCode::kUnsupported, "the figure has no surface on " + skeleton.node(node).name +
                                                  ", so that signs cannot touch with it; load a figure with full hands");
     }
-    const int last = sites.nodes_.digits[d][2], before = sites.nodes_.digits[d][1];
+    const int last = nodes.digits[d][2], before = nodes.digits[d][1];
     const Vec3 bone = unit(skeleton.rest_position(last) - skeleton.rest_position(before));
     sites.tip_[d] = extreme_point(figure, last, bone).position;
     for (size_t j = 0; j < 3; ++j) {
       // Half the thickness from back to palm, half way along the phalanx.
-      const int node = sites.nodes_.digits[d][j];
+      const int node = nodes.digits[d][j];
       const Vec3 begin = skeleton.rest_position(node);
-      const Vec3 end = j < 2 ? skeleton.rest_position(sites.nodes_.digits[d][j + 1]) : begin + sites.tip_[d];
+      const Vec3 end = j < 2 ? skeleton.rest_position(nodes.digits[d][j + 1]) : begin + sites.tip_[d];
       const Vec3 middle = 0.5 * (begin + end);
       const std::array<int, 1> only = {node};
       const auto below = cast_ray(figure, only, middle + sites.frame_.palm * 0.2, -sites.frame_.palm);
@@ -49,9 +54,9 @@ Result<HandSites> HandSites::build(const Figure& figure, Side side) {
           below && above ? 0.5 * std::abs(glm::dot(below->position - above->position, sites.frame_.palm)) : 0.008;
     }
   }
-  const Vec3 wrist = skeleton.rest_position(sites.nodes_.wrist);
-  const Vec3 centre = 0.45 * wrist + 0.55 * skeleton.rest_position(sites.nodes_.digits[kMiddle][0]);
-  const std::array<int, 1> palm_only = {sites.nodes_.wrist};
+  const Vec3 wrist = skeleton.rest_position(nodes.wrist);
+  const Vec3 centre = 0.45 * wrist + 0.55 * skeleton.rest_position(nodes.digits[kMiddle][0]);
+  const std::array<int, 1> palm_only = {nodes.wrist};
   const auto below = cast_ray(figure, palm_only, centre + sites.frame_.palm * 0.2, -sites.frame_.palm);
   const auto above = cast_ray(figure, palm_only, centre - sites.frame_.palm * 0.2, sites.frame_.palm);
   if (!below || !above)
@@ -62,15 +67,12 @@ Result<HandSites> HandSites::build(const Figure& figure, Side side) {
 }
 
 HandSites::Posed HandSites::pose(const HandAngles& angles) const {
-  Pose whole = rest_pose(figure_->skeleton);
-  pose_hand(figure_->skeleton, side_, angles, whole);
+  const DigitRotations rotation = rig_.rotations(angles);
   Posed posed;
   for (size_t d = 0; d < 5; ++d) {
     Transform parent;
     for (size_t j = 0; j < 3; ++j) {
-      const int node = nodes_.digits[d][j];
-      const Vec3 offset = figure_->skeleton.node(node).offset;
-      parent = {parent.rotation * whole.rotation[static_cast<size_t>(node)], apply(parent, offset)};
+      parent = {parent.rotation * rotation[d][j], apply(parent, bone_[d][j])};
       posed.joint[d][j] = parent;
     }
     posed.tip[d] = apply(parent, tip_[d]);

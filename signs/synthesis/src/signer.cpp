@@ -155,7 +155,8 @@ ArmPlacement Signer::place_arm(Side side, const HandState& state) const {
   const Skeleton& skeleton = figure_->skeleton;
   const ArmNodes& nodes = nodes_[static_cast<size_t>(side)];
   const Transform parent{kIdentity, parent_[static_cast<size_t>(side)]};
-  const ArmSolution arm = solve_arm(skeleton, side, parent, state.wrist, state.swivel);
+  const ArmSolution arm =
+      reach(side).solve({state.wrist.rotation, state.wrist.position - parent.position}, state.swivel);
   ArmPlacement placed;
   placed.shoulder = {parent.rotation * arm.shoulder, apply(parent, skeleton.node(nodes.shoulder).offset)};
   placed.elbow = {placed.shoulder.rotation * arm.elbow, apply(placed.shoulder, skeleton.node(nodes.elbow).offset)};
@@ -307,19 +308,21 @@ Vec3 Signer::settle(Side side, const Wish& wish, std::span<const Obstacle> obsta
   struct Candidate {
     double swivel = 0.0, cost = 1e9;
     Transform wrist;
+    bool solved = false;  ///< else the cost is the swivel's alone
+  };
+  const auto of_swivel = [](double swivel) {
+    const double away = swivel - kPreferredSwivel, raised = std::max(0.0, std::abs(away) - kEasySwivel);
+    return away * away + kRaisedCost * raised * raised;
   };
   const auto free_of_depth = [&](double swivel, const Vec3& shift, int rounds) {
     const ArmReach::Reached reached =
         arm.reach(wish.rotation, wish.pivot, wish.target + shift - parent, swivel, rounds);
-    Candidate candidate{swivel, 0.0, {reached.wrist.rotation, reached.wrist.position + parent}};
-    const double away = swivel - kPreferredSwivel, lean = std::max(0.0, reached.lean - kFreeLean),
-                 far = std::max(0.0, reached.lean - kTrueLean);
-    const double raised = std::max(0.0, std::abs(away) - kEasySwivel);
+    Candidate candidate{swivel, 0.0, {reached.wrist.rotation, reached.wrist.position + parent}, true};
+    const double lean = std::max(0.0, reached.lean - kFreeLean), far = std::max(0.0, reached.lean - kTrueLean);
     const double high = wish.lifts ? 0.0 : elbow_height(side, reached.arm);
-    candidate.cost = kHighElbowCost * high * high + away * away + kRaisedCost * raised * raised +
-                     kLeanCost * lean * lean + kFarLeanCost * far * far +
-                     kExcessCost * reached.excess * reached.excess + kOffCost * reached.off * reached.off +
-                     kShiftCost * glm::dot(shift, shift);
+    candidate.cost = of_swivel(swivel) + kHighElbowCost * high * high + kLeanCost * lean * lean +
+                     kFarLeanCost * far * far + kExcessCost * reached.excess * reached.excess +
+                     kOffCost * reached.off * reached.off + kShiftCost * glm::dot(shift, shift);
     return candidate;
   };
   const auto with_depth = [&](Candidate candidate, double enough) {
@@ -333,22 +336,30 @@ Vec3 Signer::settle(Side side, const Wish& wish, std::span<const Obstacle> obsta
     return candidate;
   };
   const auto best_for = [&](const Vec3& shift, double enough) {
-    std::array<Candidate, kSwivels> grid;
-    for (int i = 0; i < kSwivels; ++i)
-      grid[static_cast<size_t>(i)] =
-          free_of_depth(kLowestSwivel + (kHighestSwivel - kLowestSwivel) * i / (kSwivels - 1), shift, kCoarse);
-    std::stable_sort(grid.begin(), grid.end(), [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
+    // What costs least so far is looked at more closely, until nothing that is left can be better.
+    std::vector<Candidate> grid;
+    for (int i = 0; i < kSwivels; ++i) {
+      const double swivel = kLowestSwivel + (kHighestSwivel - kLowestSwivel) * i / (kSwivels - 1);
+      grid.push_back({swivel, of_swivel(swivel), {}, false});
+    }
     Candidate best;
     best.cost = enough;
-    for (const Candidate& candidate : grid) {
-      if (candidate.cost >= best.cost) break;
-      const Candidate found = with_depth(candidate, best.cost);
+    while (!grid.empty()) {
+      const auto next = std::ranges::min_element(grid, {}, &Candidate::cost);
+      if (next->cost >= best.cost) break;
+      if (!next->solved) {
+        *next = free_of_depth(next->swivel, shift, kCoarse);
+        continue;
+      }
+      const Candidate found = with_depth(*next, best.cost);
       if (found.cost < best.cost) best = found;
+      grid.erase(next);
     }
     if (best.cost >= enough) return best;
     for (double step = 7.0 * kDegree; step > 1.5 * kDegree; step *= 0.5) {
       for (const double sign : {1.0, -1.0}) {
         const double swivel = std::clamp(best.swivel + sign * step, kLowestSwivel, kHighestSwivel);
+        if (of_swivel(swivel) >= best.cost) continue;
         const Candidate found = with_depth(free_of_depth(swivel, shift, kFine), best.cost);
         if (found.cost < best.cost) best = found;
       }

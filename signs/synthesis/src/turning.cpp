@@ -4,14 +4,12 @@
 #include "kinematics/arm_ik.h"
 #include "kinematics/interpolate.h"
 #include "kinematics/limits.h"
-#include "kinematics/pose.h"
 #include "kinematics/rotation.h"
 #include "synthesis/joint_speed.h"
 #include "synthesis/performance.h"
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace auslan {
 namespace {
@@ -22,8 +20,9 @@ constexpr double kNoTurn = 1e-3;
 ArmSolution arm_of(const Signer& signer, Side side, const HandState& state) {
   const Skeleton& skeleton = signer.figure().skeleton;
   const int parent = skeleton.node(arm_nodes(skeleton, side).shoulder).parent;
-  return signer.reach(side).limited(
-      solve_arm(skeleton, side, {kIdentity, skeleton.rest_position(parent)}, state.wrist, state.swivel));
+  const Vec3 from_parent = state.wrist.position - skeleton.rest_position(parent);
+  const ArmReach& reach = signer.reach(side);
+  return reach.limited(reach.solve({state.wrist.rotation, from_parent}, state.swivel));
 }
 
 JointAngles middle(const JointAngles& a, const JointAngles& b) {
@@ -53,11 +52,8 @@ double seconds_by_steps(const Signer& signer, Side side, const HandSegment& segm
   const ArmNodes nodes = arm_nodes(skeleton, side);
   const Vec3 upper = skeleton.node(nodes.elbow).offset, fore = skeleton.node(nodes.wrist).offset;
   const auto place_of = [&](const ArmSolution& arm) { return arm.shoulder * (upper + arm.elbow * fore); };
-  Pose hand_before, hand_now;
-  if (with_digits) {
-    hand_before = hand_now = rest_pose(skeleton);
-    pose_hand(skeleton, side, segment.from.angles, hand_before);
-  }
+  DigitRotations hand_before;
+  if (with_digits) hand_before = signer.hand(side).rotations(segment.from.angles);
   double needed = 0.0;
   for (int i = 1; i <= steps; ++i) {
     const HandState state = state_at(second, kTicksPerSecond * i / steps);
@@ -69,15 +65,12 @@ double seconds_by_steps(const Signer& signer, Side side, const HandSegment& segm
                        std::sqrt(glm::dot(way, way)) * steps / joint_speed::kWristInSpace});
     before = now;
     if (!with_digits) continue;
-    pose_hand(skeleton, side, state.angles, hand_now);
-    for (const auto& digit : arm_nodes(skeleton, side).digits) {
-      for (const int node : digit) {
-        const auto n = static_cast<size_t>(node);
-        needed = std::max(needed,
-                          angle_between(hand_before.rotation[n], hand_now.rotation[n]) * steps / joint_speed::kDigit);
-      }
-    }
-    std::swap(hand_before, hand_now);
+    const DigitRotations hand_now = signer.hand(side).rotations(state.angles);
+    for (size_t digit = 0; digit < 5; ++digit)
+      for (size_t joint = 0; joint < 3; ++joint)
+        needed = std::max(
+            needed, angle_between(hand_before[digit][joint], hand_now[digit][joint]) * steps / joint_speed::kDigit);
+    hand_before = hand_now;
   }
   return needed;
 }

@@ -12,7 +12,7 @@
 
 namespace auslan {
 
-/// The surface of one hand. The figure must outlive it.
+/// The surface of one hand. Owns what it needs.
 class HandSites {
  public:
   static Result<HandSites> build(const Figure& figure, Side side);
@@ -23,6 +23,9 @@ class HandSites {
   /// The place that a location on this hand means to another hand's `touching` part, in the frame of the wrist.
   /// `towards` (wrist frame, unit) points to where the other hand comes from: a finger is touched on that side.
   Site site_for(Location location, HandPart touching, const HandAngles& angles, const Vec3& towards) const;
+
+  /// Local rotations of the digits' joints for some finger angles.
+  DigitRotations rotations(const HandAngles& angles) const { return rig_.rotations(angles); }
 
   /// The joints of the digits (thumb first, from the palm outwards) for some finger angles, in the wrist's frame.
   std::array<std::array<Transform, 3>, 5> digits(const HandAngles& angles) const { return pose(angles).joint; }
@@ -38,9 +41,10 @@ class HandSites {
   Site on_digit(const Posed& posed, size_t digit, double along, const Vec3& out) const;
   Site digit_place(const Posed& posed, const DigitSite& site) const;
 
-  const Figure* figure_ = nullptr;
-  Side side_ = Side::kRight;
-  ArmNodes nodes_;
+  HandSites(const Figure& figure, Side side);
+
+  HandRig rig_;
+  std::array<std::array<Vec3, 3>, 5> bone_;  ///< from each joint's parent to the joint, metres
   HandFrame frame_;
   std::array<std::array<double, 3>, 5> radius_{};  ///< of each phalanx, metres
   std::array<Vec3, 5> tip_{};                      ///< tip in the last joint's frame
