@@ -65,10 +65,10 @@ class Choreographer {
   void stay(size_t side, Tick until);
   /// Fills the track of a hand with a segment that ends then; nothing when it reaches so far already.
   void append(size_t side, Tick until, HandSegment segment);
-  /// On from where the hand is; `wanted` says where to and how the path is bent in any case, `other` what the other
-  /// hand does meanwhile, if anything.
-  Way way_to(size_t side, HandSegment wanted, const HandSegment* other = nullptr) const;
-  Way way_to_rest(size_t side, double forwards) const;
+  /// On from where the hand is; `wanted` says where to and how the path is bent in any case, `approach` is the outward
+  /// normal of what is touched there, else zero.
+  Way way_to(size_t side, HandSegment wanted, const Vec3& approach, const Meanwhile& meanwhile) const;
+  Way way_to_rest(size_t side, double forwards, const Meanwhile& meanwhile) const;
   /// Brings the base hand down while the other one goes on.
   void lower_left();
   /// What becomes of the base hand when a sign does not use it: it waits, or goes down.
@@ -140,12 +140,18 @@ void Choreographer::append(size_t side, Tick until, HandSegment segment) {
   hand_[side] = segment.to;
 }
 
-Way Choreographer::way_to(size_t side, HandSegment wanted, const HandSegment* other) const {
+Way Choreographer::way_to(size_t side, HandSegment wanted, const Vec3& approach, const Meanwhile& meanwhile) const {
   const auto hand = static_cast<Side>(side);
   wanted.from = hand_[side];
+  // Away from what is left and towards what is met along their normals.
+  const Vec3 apart = wanted.to.wrist.position - wanted.from.wrist.position;
+  const double lift = lift_of(std::sqrt(glm::dot(apart, apart)));
+  const TouchedSurfaces touched{leave_[side], approach};
+  wanted.leave = lift * touched.from;
+  wanted.approach = lift * touched.to;
   const auto with = [&](const std::optional<Quat>& turn_middle) {
     wanted.turn_middle = turn_middle;
-    Way way = find_way(signer_, hand, wanted, other);
+    Way way = find_way(signer_, hand, wanted, touched, meanwhile);
     way.seconds = shortest_seconds(signer_, hand, way.segment);
     return way;
   };
@@ -162,15 +168,15 @@ Way Choreographer::way_to(size_t side, HandSegment wanted, const HandSegment* ot
   return way;
 }
 
-Way Choreographer::way_to_rest(size_t side, double forwards) const {
+Way Choreographer::way_to_rest(size_t side, double forwards, const Meanwhile& meanwhile) const {
   HandSegment wanted;
   wanted.to = signer_.rest(static_cast<Side>(side));
   wanted.bulge = Vec3(0, 0, forwards);
-  return way_to(side, wanted);
+  return way_to(side, wanted, Vec3(0.0), meanwhile);
 }
 
 void Choreographer::lower_left() {
-  const Way way = way_to_rest(kLeft, 0.04);
+  const Way way = way_to_rest(kLeft, 0.04, {});
   stay(kLeft, now_);
   append(kLeft, laid_out(kLeft) + paced(stroke::kLongestTransition, way.seconds), way.segment);
   raised_[kLeft] = false;
@@ -187,6 +193,15 @@ void Choreographer::transition(const SignPerformance& performance, size_t index)
   const Unit& unit = utterance_.units[index];
   std::array<double, 2> times{};
   std::array<Way, 2> ways;
+  // When the left hand sets out, and when both have arrived, for how long each takes. The base hand gets ready while
+  // the sign before is still being made, unless that one touches it.
+  const auto spans = [this](Tick right, Tick left) {
+    const Tick free = left_is_met_ ? std::max(now_, laid_out(kLeft)) : laid_out(kLeft);
+    const Tick until = now_ + right;
+    if (left == 0) return std::pair(free, until);
+    const Tick ready = std::max(free, std::min(now_, until - left) - scaled(stroke::kAnticipation));
+    return std::pair(ready, std::max(until, ready + left));
+  };
   for (const size_t side : {kLeft, kRight}) {
     if (!performance.active[side]) continue;
     const HandState& to = performance.start[side];
@@ -201,41 +216,37 @@ void Choreographer::transition(const SignPerformance& performance, size_t index)
     times[side] = time;
     const Vec3 way = to.wrist.position - hand_[side].wrist.position;
     const double distance = std::sqrt(glm::dot(way, way));
-    // Away from what is left and towards what is met along their normals, and clear of the body on long ways.
-    const double lift = std::min(0.07, 0.35 * distance);
     HandSegment wanted;
     wanted.to = to;
+    // Clear of the body on long ways.
     wanted.bulge.z = std::max(0.0, 0.22 * (distance - 0.08));
-    wanted.leave = lift * leave_[side];
-    wanted.approach = lift * performance.approach[side];
     wanted.digits_lead = unit.spelled ? 0.85 : 0.75;
     // The base hand goes its way, and the other one keeps clear of it.
     HandSegment left = ways[kLeft].segment;
     if (!performance.active[kLeft]) left.from = left.to = hand_[kLeft];
-    const bool meets = side == kRight && (performance.active[kLeft] || raised_[kLeft]);
+    Meanwhile meanwhile;
+    if (side == kRight && (performance.active[kLeft] || raised_[kLeft])) {
+      meanwhile.other = &left;
+      if (performance.active[kLeft]) {
+        const auto [ready, until] = spans(scaled(time), paced(times[kLeft], ways[kLeft].seconds));
+        meanwhile.share = static_cast<double>(until - now_) / static_cast<double>(until - ready);
+      }
+    }
     // From letter to letter the way is the same each time.
     const bool between_letters = unit.spelled && !last_letter_.empty() && raised_[kLeft] && performance.active[kLeft];
     if (!between_letters) {
-      ways[side] = way_to(side, wanted, meets ? &left : nullptr);
+      ways[side] = way_to(side, wanted, performance.approach[side], meanwhile);
       continue;
     }
     const auto key = std::tuple(last_letter_, unit.sign->gloss, side);
     auto known = ways_.find(key);
-    if (known == ways_.end()) known = ways_.emplace(key, way_to(side, wanted, meets ? &left : nullptr)).first;
+    if (known == ways_.end())
+      known = ways_.emplace(key, way_to(side, wanted, performance.approach[side], meanwhile)).first;
     ways[side] = known->second;
   }
   const Tick right = paced(times[kRight], ways[kRight].seconds);
-  const Tick left = performance.active[kLeft] ? paced(times[kLeft], ways[kLeft].seconds) : 0;
-  Tick until = now_ + right;
-  // The base hand gets ready while the sign before is still being made, unless that one touches it.
-  const Tick free = left_is_met_ ? std::max(now_, laid_out(kLeft)) : laid_out(kLeft);
-  Tick ready = free;
-  if (performance.active[kLeft]) {
-    ready = std::max(free, std::min(now_, until - left) - scaled(stroke::kAnticipation));
-    until = std::max(until, ready + left);
-  } else if (meets_left(index)) {
-    until = std::max(until, laid_out(kLeft));
-  }
+  auto [ready, until] = spans(right, performance.active[kLeft] ? paced(times[kLeft], ways[kLeft].seconds) : 0);
+  if (!performance.active[kLeft] && meets_left(index)) until = std::max(until, laid_out(kLeft));
   for (const size_t side : {kLeft, kRight}) {
     if (!performance.active[side]) continue;
     stay(side, side == kLeft ? ready : now_);
@@ -258,7 +269,8 @@ void Choreographer::add_beats(const SignPerformance& performance, const Unit& un
       segments[side].turn_middle = turn_through_joints(signer_, hand, segments[side]);
       HandSegment left = segments[kLeft];
       if (!performance.active[kLeft]) left.from = left.to = hand_[kLeft];
-      keep_clear(signer_, hand, segments[side], side == kRight && performance.active[kLeft] ? &left : nullptr);
+      keep_clear(signer_, hand, segments[side], beat.surfaces[side],
+                 {side == kRight && performance.active[kLeft] ? &left : nullptr});
       least = std::max(least, shortest_seconds(signer_, hand, segments[side]));
     }
     const Tick begin = now_;
@@ -490,9 +502,11 @@ Result<Score> Choreographer::run() {
   add_spans();
   // The hands drop and relax; one that hangs already stays as it is.
   Tick lowered = now_;
+  HandSegment left;
   for (const size_t side : {kLeft, kRight}) {
     if (!raised_[side]) continue;
-    const Way way = way_to_rest(side, 0.05);
+    const Way way = way_to_rest(side, 0.05, {side == kRight && raised_[kLeft] ? &left : nullptr});
+    if (side == kLeft) left = way.segment;
     stay(side, now_);
     append(side, now_ + paced(stroke::kFromRest + 0.1, way.seconds), way.segment);
     lowered = std::max(lowered, laid_out(side));

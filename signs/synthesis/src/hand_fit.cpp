@@ -9,13 +9,16 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 namespace auslan {
 namespace {
 
-constexpr int kIterations = 24, kPatience = 7;  // rounds without progress
-constexpr double kProgress = 0.0003;            // metres
-constexpr double kFarthest = 0.06;              // from what is to be touched, metres
+constexpr int kIterations = 24;
+// Rounds without progress: while something is in the way or not yet touched, and else.
+constexpr int kPatience = 4, kBarePatience = 2;
+constexpr double kProgress = 0.0003;  // metres
+constexpr double kFarthest = 0.06;    // from what is to be touched, metres
 // A turn of a radian counts as much as so many metres of shift.
 constexpr double kTurnLength = 0.2;
 constexpr double kDamping = 0.02;
@@ -29,7 +32,7 @@ constexpr double kLeanWeight = 0.05, kFarLeanWeight = 2.0;
 constexpr double kLongestShift = 0.012, kLargestTurn = 4.0 * kDegree;
 // Deeper than this a surface may not be what it seems: a foreign figure's loose hair has no inside.
 constexpr double kFarIn = 0.1;
-constexpr double kTouches = 0.0007, kGoodEnough = 0.0008;  // metres
+constexpr double kTouches = 0.0007, kGoodEnough = 0.0008, kTrouble = 0.0005;  // metres
 
 constexpr size_t kFree = 6;
 using Row = std::array<double, kFree>;  // of a shift (metres) and a turn (metres by kTurnLength)
@@ -107,6 +110,29 @@ double clear_by(const Vec3& world_centre, const SurfacePatch& patch, const Obsta
   return obstacle.solid->clearance(in_solid(patch.centre)) - room;
 }
 
+/// How far points of a hand may have gone in all while it moved by small steps.
+class Travel {
+ public:
+  void to(const Transform& wrist) {
+    if (moving_) {
+      const Quat &a = before_.rotation, &b = wrist.rotation;
+      const Quat apart = glm::dot(a, b) < 0.0 ? a + b : a - b;
+      shifted_ += length(wrist.position - before_.position);
+      // A point goes no farther than by twice the chord of the quaternions times its distance.
+      turned_ += 2.0 * std::sqrt(glm::dot(apart, apart));
+    }
+    before_ = wrist;
+    moving_ = true;
+  }
+  /// Of a point so far from the wrist, metres.
+  double of(double from_wrist) const { return shifted_ + turned_ * from_wrist; }
+
+ private:
+  Transform before_;
+  bool moving_ = false;
+  double shifted_ = 0.0, turned_ = 0.0;  ///< metres, and metres for each metre from the wrist
+};
+
 /// The points of a hand that are too deep, as the hand moves by small steps: what is clear by more than it has moved
 /// since is not looked at again.
 class DeepPoints {
@@ -123,20 +149,12 @@ class DeepPoints {
   /// Calls `deep(point, depth beyond what is allowed, way out)` for each.
   template <class Deep>
   void each(const Transform& wrist, const Deep& deep) {
-    if (moving_) {
-      const Quat &a = before_.rotation, &b = wrist.rotation;
-      const Quat apart = glm::dot(a, b) < 0.0 ? a + b : a - b;
-      shifted_ += length(wrist.position - before_.position);
-      // A point goes no farther than by twice the chord of the quaternions times its distance.
-      turned_ += 2.0 * std::sqrt(glm::dot(apart, apart));
-    }
-    before_ = wrist;
-    moving_ = true;
+    travel_.to(wrist);
     double* of_patch = of_patch_.data();
     double* of_point = of_point_.data();
     const Motion in_world(wrist);
     for (const SurfacePatch& patch : hand_) {
-      const double gone = shifted_ + turned_ * (length(patch.centre) + patch.radius);
+      const double gone = travel_.of(length(patch.centre) + patch.radius);
       const Vec3 centre = in_world(patch.centre);
       for (const Obstacle& obstacle : obstacles_) {
         each_of(patch, centre, obstacle, wrist, gone, *of_patch++, of_point, deep);
@@ -146,7 +164,6 @@ class DeepPoints {
   }
 
  private:
-  static double length(const Vec3& v) { return std::sqrt(glm::dot(v, v)); }
   /// `clear`: of how far the hand may have gone in all until something has to be looked at again.
   template <class Deep>
   static void each_of(const SurfacePatch& patch, const Vec3& centre, const Obstacle& obstacle, const Transform& wrist,
@@ -174,9 +191,7 @@ class DeepPoints {
   std::span<const SurfacePatch> hand_;
   std::span<const Obstacle> obstacles_;
   std::vector<double> of_patch_, of_point_;
-  Transform before_;
-  bool moving_ = false;
-  double shifted_ = 0.0, turned_ = 0.0;  ///< in all: metres, and metres for each metre from the wrist
+  Travel travel_;
 };
 
 struct Touch {
@@ -185,37 +200,118 @@ struct Touch {
   Vec3 out{0.0};  ///< world
 };
 
-Touch nearest_touch(const Transform& wrist, const HandFitGoal& goal) {
-  Touch best;
-  bool found = false;
-  const auto consider = [&](const Vec3& point, double distance, const Vec3& out) {
-    if (found && distance >= best.distance) return;
-    found = true;
-    best = {point, distance, out};
-  };
-  for (const Vec3& point : goal.region) {
-    const Vec3 world = apply(wrist, point);
-    if (goal.mirror && goal.mirror->touched)
-      consider(point, world.x * goal.mirror->side, Vec3(goal.mirror->side, 0, 0));
-    for (const Obstacle& obstacle : goal.obstacles) {
-      if (!obstacle.touched) continue;
+/// Which point of the region is nearest to what is to be touched, as the hand moves by small steps: what was farther
+/// off than the nearest by more than it has moved since is not looked at again.
+class NearestTouch {
+ public:
+  explicit NearestTouch(const HandFitGoal& goal) : goal_(goal), beyond_(goal.region.size(), -1e9) {}
+
+  Touch at(const Transform& wrist) {
+    travel_.to(wrist);
+    Touch best;
+    bool found = false;
+    const size_t first = nearest_;
+    for (size_t i = 0; i < goal_.region.size(); ++i) {
+      // Round the region, from the point that was nearest before.
+      const size_t index = (first + i) % goal_.region.size();
+      const Vec3& point = goal_.region[index];
+      const double gone = travel_.of(length(point));
+      if (found && beyond_[index] - gone >= best.distance) continue;
       // Of points that press in, any will do.
-      if (found && best.distance <= 0.0) return best;
-      const double within = found ? best.distance : kFarthest;
+      if (found && best.distance <= 0.0) break;
+      const Touch touch = of_point(point, apply(wrist, point), found ? best.distance : kFarthest);
+      beyond_[index] = gone + touch.distance;
+      if (found ? touch.distance >= best.distance : touch.distance >= kFarthest) continue;
+      found = true;
+      best = touch;
+      nearest_ = index;
+    }
+    if (!found) best.point = goal_.pivot;
+    return best;
+  }
+
+ private:
+  /// `within`: what is no nearer is as far off as that.
+  Touch of_point(const Vec3& point, const Vec3& world, double within) const {
+    Touch best{point, within};
+    const auto consider = [&best](double distance, const Vec3& out) {
+      if (distance >= best.distance) return;
+      best.distance = distance;
+      best.out = out;
+    };
+    if (goal_.mirror && goal_.mirror->touched) consider(world.x * goal_.mirror->side, Vec3(goal_.mirror->side, 0, 0));
+    for (const Obstacle& obstacle : goal_.obstacles) {
+      if (!obstacle.touched) continue;
       const Vec3 apart = world - obstacle.centre;
-      const double reach = obstacle.radius + within;
-      if (glm::dot(apart, apart) > reach * reach) continue;
+      const double reach = obstacle.radius + best.distance;
+      if (best.distance <= 0.0 || glm::dot(apart, apart) > reach * reach) continue;
       const Quat& turn = obstacle.world_from_solid.rotation;
       const auto nearest =
-          obstacle.solid->nearest(glm::conjugate(turn) * (world - obstacle.world_from_solid.position), within);
-      if (nearest && nearest->distance < kFarthest) consider(point, nearest->distance, turn * nearest->normal);
+          obstacle.solid->nearest(glm::conjugate(turn) * (world - obstacle.world_from_solid.position), best.distance);
+      if (nearest) consider(nearest->distance, turn * nearest->normal);
+    }
+    return best;
+  }
+
+  const HandFitGoal& goal_;
+  std::vector<double> beyond_;  ///< by how much the hand may have gone in all until a point has to be looked at again
+  Travel travel_;
+  size_t nearest_ = 0;
+};
+
+/// What of a hand, and of one that it meets, is too deep as it moves by small steps.
+class Depths {
+ public:
+  Depths(std::span<const SurfacePatch> hand, const HandFitGoal& goal)
+      : hand_(hand), goal_(goal), in_obstacles_(hand, goal.obstacles) {
+    if (goal.met) of_met_.emplace(goal.met->patches, goal.met->own);
+  }
+
+  /// Calls `deep(point in the wrist's frame, depth beyond what is allowed, way out in the world)` for each point.
+  template <class Deep>
+  void each(const Transform& wrist, const Deep& deep) {
+    in_obstacles_.each(wrist, deep);
+    if (of_met_) {
+      const Quat back = glm::conjugate(wrist.rotation);
+      const Transform& there = goal_.met->world_from_wrist;
+      const Transform from_there{back * there.rotation, back * (there.position - wrist.position)};
+      of_met_->each(from_there, [&](const Vec3& point, double depth, const Vec3& out) {
+        deep(apply(from_there, point), depth, -(wrist.rotation * out));
+      });
+    }
+    if (!goal_.mirror) return;
+    for (const SurfacePatch& patch : hand_) {
+      for (const Site& point : patch.points) {
+        const double depth = -apply(wrist, point.position).x * goal_.mirror->side - goal_.mirror->allowed;
+        if (depth > 0.0) deep(point.position, depth, Vec3(goal_.mirror->side, 0, 0));
+      }
     }
   }
-  if (!found) best.point = goal.pivot;
-  return best;
-}
+
+ private:
+  std::span<const SurfacePatch> hand_;
+  const HandFitGoal& goal_;
+  DeepPoints in_obstacles_;
+  std::optional<DeepPoints> of_met_;
+};
 
 }  // namespace
+
+double way_out(const Transform& world_from_wrist, std::span<const SurfacePatch> hand, const HandFitGoal& goal,
+               const Vec3& way, double farthest) {
+  constexpr double kOut = 0.001, kLeast = 0.003;  // metres
+  Depths depths(hand, goal);
+  Transform wrist = world_from_wrist;
+  double gone = 0.0;
+  while (gone < farthest) {
+    double deepest = 0.0;
+    depths.each(wrist, [&](const Vec3&, double depth, const Vec3&) { deepest = std::max(deepest, depth); });
+    if (deepest < kOut) break;
+    gone = std::min(farthest, gone + std::max(deepest, kLeast));
+    wrist.position = world_from_wrist.position + gone * way;
+  }
+  return gone;
+}
 
 Obstacle make_obstacle(const Solid& solid, const Transform& world_from_solid, double allowed, bool touched) {
   Obstacle obstacle{&solid, world_from_solid, Vec3(0.0), 0.0, allowed, touched};
@@ -225,12 +321,14 @@ Obstacle make_obstacle(const Solid& solid, const Transform& world_from_solid, do
 }
 
 HandFit fit_hand(const Transform& world_from_wrist, double swivel, std::span<const SurfacePatch> hand,
-                 const HandFitGoal& goal) {
+                 const HandFitGoal& goal, double missing) {
   Transform wrist = world_from_wrist;
   HandFit best;
-  double least = 1e9, excess = 0.0;
+  double least = 1e9, excess = missing;
   int improved = 0;
-  DeepPoints points(hand, goal.obstacles);
+  double least_trouble = 1e9;
+  NearestTouch nearest_touch(goal);
+  Depths depths(hand, goal);
   for (int iteration = 0; iteration <= kIterations; ++iteration) {
     struct Deep {
       Row row;
@@ -242,31 +340,26 @@ HandFit fit_hand(const Transform& world_from_wrist, double swivel, std::span<con
       deep.push_back({row_along(out, wrist.rotation * point), depth});
       deepest = std::max(deepest, depth);
     };
-    points.each(wrist, too_deep);
-    for (const SurfacePatch& patch : hand) {
-      if (!goal.mirror) break;
-      for (const Site& point : patch.points) {
-        const double depth = -apply(wrist, point.position).x * goal.mirror->side - goal.mirror->allowed;
-        if (depth > 0.0) too_deep(point.position, depth, Vec3(goal.mirror->side, 0, 0));
-      }
-    }
+    depths.each(wrist, too_deep);
     const bool contact = !goal.region.empty();
     Touch touch;
-    if (contact) touch = nearest_touch(wrist, goal);
+    if (contact) touch = nearest_touch.at(wrist);
     const double gap = contact ? touch.distance : 0.0;
     const Vec3 lean = rotation_vector(wrist.rotation * glm::conjugate(goal.wanted));
     const double leaning = length(lean);
     const double slide = length(apply(wrist, goal.pivot) - goal.target);
     // What matters in the end, in metres: a degree counts like a third of a millimetre.
-    const double cost = std::min(deepest, kFarIn) + kExcessLength * excess + 2.0 * std::max(0.0, gap - kTouches) +
-                        0.02 * leaning + 0.2 * std::max(0.0, leaning - goal.free_lean) +
-                        0.3 * std::max(0.0, slide - kFreeSlide);
+    const double cost = std::min(deepest, kFarIn) + 0.2 * std::max(0.0, deepest - kFarIn) + kExcessLength * excess +
+                        2.0 * std::max(0.0, gap - kTouches) + 0.02 * leaning +
+                        0.2 * std::max(0.0, leaning - goal.free_lean) + 0.3 * std::max(0.0, slide - kFreeSlide);
     if (cost < least - kProgress) improved = iteration;
     if (cost < least) {
       least = cost;
       best = {wrist, swivel, touch.point, gap, deepest, cost};
+      least_trouble = std::max({deepest, gap - kTouches, excess * kExcessLength});
     }
-    if (iteration == kIterations || cost < kGoodEnough || iteration - improved > kPatience) break;
+    const int patience = least_trouble > kTrouble ? kPatience : kBarePatience;
+    if (iteration == kIterations || cost < kGoodEnough || iteration - improved > patience) break;
 
     NormalEquations equations;
     for (const Deep& point : deep)
@@ -291,8 +384,8 @@ HandFit fit_hand(const Transform& world_from_wrist, double swivel, std::span<con
     const Row step = equations.solve();
     Vec3 shift(step[0], step[1], step[2]);
     Vec3 turn = Vec3(step[3], step[4], step[5]) / kTurnLength;
-    const double scale =
-        std::min({1.0, kLongestShift / std::max(length(shift), 1e-9), kLargestTurn / std::max(length(turn), 1e-9)});
+    const double scale = std::min({1.0, std::max(kLongestShift, 0.5 * deepest) / std::max(length(shift), 1e-9),
+                                   kLargestTurn / std::max(length(turn), 1e-9)});
     wrist.position += scale * shift;
     wrist.rotation = renormalised(from_rotation_vector(scale * turn) * wrist.rotation);
     excess = goal.admit(contact ? touch.point : goal.pivot, wrist, swivel);

@@ -30,6 +30,14 @@ struct MirrorPlane {
   bool touched = false;
 };
 
+/// The other hand, whose points are to stay out of the hand that is fitted: a fingertip is too small to be met by the
+/// points of a palm.
+struct MetHand {
+  Transform world_from_wrist;
+  std::span<const SurfacePatch> patches;  ///< its surface, in its wrist's frame
+  std::span<const Obstacle> own;          ///< the segments of the hand that is fitted, in its own wrist's frame
+};
+
 struct HandFitGoal {
   Quat wanted = kIdentity;       ///< world_from_wrist as the entry states it
   double free_lean = 0.0;        ///< radians from there that cost little
@@ -37,6 +45,7 @@ struct HandFitGoal {
   std::span<const Vec3> region;  ///< points of which one has to touch (wrist frame); empty: no contact is asked for
   std::span<const Obstacle> obstacles;
   std::optional<MirrorPlane> mirror;
+  std::optional<MetHand> met;
   /// Brings a wrist, and the swivel with it, to where the arm keeps its limits, turning about a point of the hand
   /// (wrist frame); returns the radians that are still missing.
   std::function<double(const Vec3& pivot, Transform& world_from_wrist, double& swivel)> admit;
@@ -51,9 +60,15 @@ struct HandFit {
   double cost = 0.0;     ///< of all that is not as wished, metres; contact counts twice, it is what is read
 };
 
-/// Moves the wrist, and the elbow with it, as little as it takes. Total: what cannot be met is approached.
+/// Moves the wrist, and the elbow with it, as little as it takes. Total: what cannot be met is approached. `missing`:
+/// what admit() has returned for where it begins.
 HandFit fit_hand(const Transform& world_from_wrist, double swivel, std::span<const SurfacePatch> hand,
-                 const HandFitGoal& goal);
+                 const HandFitGoal& goal, double missing = 0.0);
+
+/// How far a hand has to go along `way` (unit, world), turned as it is, until it is out of everything; metres. Total:
+/// what it does not get out of within `farthest` is left.
+double way_out(const Transform& world_from_wrist, std::span<const SurfacePatch> hand, const HandFitGoal& goal,
+               const Vec3& way, double farthest);
 
 /// Between which depths it matters how deep something lies, metres.
 struct DepthsThatMatter {

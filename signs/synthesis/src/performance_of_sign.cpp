@@ -37,6 +37,8 @@ HandSegment mirror(const HandSegment& segment) {
   image.from = mirrored(segment.from);
   image.to = mirrored(segment.to);
   image.bulge = mirror(segment.bulge);
+  image.leave = mirror(segment.leave);
+  image.approach = mirror(segment.approach);
   image.circle_u = mirror(segment.circle_u);
   image.circle_v = mirror(segment.circle_v);
   image.oscillation.shift = mirror(segment.oscillation.shift);
@@ -90,6 +92,20 @@ Vec3 across(const Vec3& axis, const Vec3& wish) {
   return unit(second, Vec3(0, 0, 1));
 }
 
+/// Where a straight way would leave or meet a surface at a slant, it does so along the normal instead. What slides over
+/// a surface stays on it.
+void stand_off(const TouchedSurfaces& touched, HandSegment& segment) {
+  constexpr double kSteep = 0.7, kOneSurface = 0.5;  // cosines
+  const Vec3 way = segment.to.wrist.position - segment.from.wrist.position;
+  const double distance = std::sqrt(glm::dot(way, way));
+  const double along = glm::dot(touched.from, touched.to);
+  if (distance < 1e-3 || along > kOneSurface) return;
+  if (touched.from != Vec3(0.0) && glm::dot(way, touched.from) < kSteep * distance)
+    segment.leave = lift_of(distance) * touched.from;
+  if (touched.to != Vec3(0.0) && -glm::dot(way, touched.to) < kSteep * distance)
+    segment.approach = lift_of(distance) * touched.to;
+}
+
 /// Lays one sign out for its dominant hand, and for the other as the relation of the hands asks.
 class SignBuilder {
  public:
@@ -118,6 +134,8 @@ class SignBuilder {
                        std::array<HandSegment, 2>& hands) const;
   /// Appends a beat from what the hands do and their relation.
   void push(double seconds, bool hold, const std::array<HandSegment, 2>& hands, size_t from, size_t to);
+  /// What a hand of its own touches in two phases.
+  TouchedSurfaces surfaces(size_t side, size_t from, size_t to) const;
   /// What a hand shows where a segment leaves it; nothing where that is not one of its postures.
   std::optional<HandTarget> shown(const HandState& state, const std::vector<Posture>& postures,
                                   const std::vector<PlacedHand>& placed) const;
@@ -158,8 +176,23 @@ void SignBuilder::place_phases() {
   mirrored_ = sign_.handedness == Handedness::kSymmetric || sign_.handedness == Handedness::kAlternating;
   has_base_ = sign_.handedness == Handedness::kDominantBase && !sign_.non_dominant.empty();
   const size_t phases = sign_.dominant.size();
+  const auto of_base = [this](size_t i) -> const Posture& {
+    return sign_.non_dominant[std::min(i, sign_.non_dominant.size() - 1)];
+  };
+  // What is there again is there as before. A first posture in the air may give way by itself, which no later one does.
+  const auto before = [](size_t i, const auto& same) {
+    size_t j = 0;
+    while (j < i && !same(j))
+      ++j;
+    return j < i ? std::optional(j) : std::nullopt;
+  };
   for (size_t i = 0; i < phases && has_base_; ++i) {
-    const Posture& posture = sign_.non_dominant[std::min(i, sign_.non_dominant.size() - 1)];
+    const Posture& posture = of_base(i);
+    const auto same = [&](size_t j) { return j > 0 && of_base(j) == posture; };
+    if (const auto again = before(i, same)) {
+      base_.push_back(base_[*again]);
+      continue;
+    }
     // The base hand finds its own place; what it touches of the other hand comes to it.
     Posture alone = posture;
     if (alone.contact &&
@@ -171,6 +204,14 @@ void SignBuilder::place_phases() {
   }
   for (size_t i = 0; i < phases; ++i) {
     const Posture& posture = sign_.dominant[i];
+    const auto same = [&](size_t j) {
+      return sign_.dominant[j] == posture &&
+             (has_base_ ? j > 0 && of_base(j) == of_base(i) : j > 0 || posture.contact.has_value());
+    };
+    if (const auto again = before(i, same)) {
+      dominant_.push_back(dominant_[*again]);
+      continue;
+    }
     OtherHand other{has_base_ ? &base_[i].state : &waiting_[kLeft], mirrored_, has_base_, std::nullopt};
     // A hand that keeps a place beside the base gives way as the base does.
     if (i > 0) other.shift = dominant_.front().shift;
@@ -302,13 +343,27 @@ bool SignBuilder::moves(const Movement& movement, size_t side) const {
   return movement.hands != (side == kRight ? MovingHands::kNonDominant : MovingHands::kDominant);
 }
 
+TouchedSurfaces SignBuilder::surfaces(size_t side, size_t from, size_t to) const {
+  const auto normal = [&](size_t phase) {
+    const PlacedHand& hand = placed(side, phase);
+    return hand.touching ? hand.normal : Vec3(0.0);
+  };
+  return {normal(from), normal(to)};
+}
+
 void SignBuilder::push(double seconds, bool hold, const std::array<HandSegment, 2>& hands, size_t from, size_t to) {
   Beat beat;
   beat.seconds = seconds;
   beat.hold = hold;
-  beat.hands[kRight] = hands[kRight];
+  for (const size_t side : {kLeft, kRight}) {
+    if (side == kLeft && !has_base_) continue;
+    beat.hands[side] = hands[side];
+    beat.surfaces[side] = surfaces(side, from, to);
+    if (from != to) stand_off(beat.surfaces[side], beat.hands[side]);
+  }
   if (mirrored_) {
-    beat.hands[kLeft] = mirror(hands[kRight]);
+    beat.hands[kLeft] = mirror(beat.hands[kRight]);
+    beat.surfaces[kLeft] = {mirror(beat.surfaces[kRight].from), mirror(beat.surfaces[kRight].to)};
     if (sign_.handedness == Handedness::kAlternating) {
       HandSegment& image = beat.hands[kLeft];
       image.oscillation.phase += 0.5;
@@ -321,13 +376,15 @@ void SignBuilder::push(double seconds, bool hold, const std::array<HandSegment, 
         image.from = mirrored(dominant_[last - from].state);
         image.to = mirrored(dominant_[last - to].state);
         image.bulge = -image.bulge;
+        const TouchedSurfaces there = surfaces(kRight, last - from, last - to);
+        beat.surfaces[kLeft] = {mirror(there.from), mirror(there.to)};
+        image.leave = image.approach = Vec3(0.0);
+        stand_off(beat.surfaces[kLeft], image);
       } else {
         image.from = mirrored(dominant_[dominant_.size() - 1 - from].state);
         image.to = image.from;
       }
     }
-  } else if (has_base_) {
-    beat.hands[kLeft] = hands[kLeft];
   }
   beat.target = shown({beat.hands[kLeft].to, beat.hands[kRight].to});
   // Where a circle does not lead back to its beginning, the way under it makes up for that: the beat ends in its phase.

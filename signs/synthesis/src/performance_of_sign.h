@@ -7,6 +7,7 @@
 #include "synthesis/score.h"
 #include "synthesis/signer.h"
 #include "synthesis/utterance.h"
+#include "way.h"
 
 #include <optional>
 #include <vector>
@@ -16,6 +17,7 @@ namespace auslan {
 /// A stretch of time in which each active hand makes one segment. Times of the segments are relative: 0 to `seconds`.
 struct Beat {
   double seconds = 0;
+  std::array<TouchedSurfaces, 2> surfaces;          ///< by Side: what each hand touches at the beginning and the end
   bool hold = false;                                ///< a hold at a phonological target
   std::array<HandSegment, 2> hands;                 ///< by Side; only that of an active hand counts
   std::array<std::optional<HandTarget>, 2> target;  ///< what the hand shows at the end, or during a hold; no times yet

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -35,9 +36,12 @@ constexpr double kEasyHeight = 0.5, kHighElbowCost = 60.0, kHighElbowLean = 0.5;
 constexpr int kSwivels = 15;
 constexpr double kFreeLean = 2.0 * kDegree, kTrueLean = 20.0 * kDegree;
 constexpr double kLeanCost = 36.0, kFarLeanCost = 300.0, kExcessCost = 2000.0, kOffCost = 1e4, kDepthCost = 1e5;
+constexpr double kBeside = 0.06;  // of a part, metres
 constexpr double kContactLean = 12.0 * kDegree;
 constexpr double kComesFrom = 0.03, kWell = 0.002;
-constexpr double kShiftCost = 1000.0, kLargestShift = 0.1;  // of a hand in the air; per square metre, metres
+// What is no deeper or farther off than this is seen as touching; a hand that gets nowhere sets out from farther off.
+constexpr double kStillRight = 0.0025, kFarthestOut = 0.12;  // metres
+constexpr double kShiftCost = 1000.0, kLargestShift = 0.1;   // of a hand in the air; per square metre, metres
 
 /// The part that a hand touches with where the entry does not say: a pointing hand its tip, a broad one the palm when
 /// that faces the place, else the fingertips.
@@ -233,26 +237,36 @@ PlacedHand Signer::place(const Posture& posture, const Handshape& handshape, Sid
   placed.normal = placed.touching ? site.normal : -palm;
   state.follows_head = is_on_head(location) && (placed.touching || kind == ContactKind::kNear) ? 1.0 : 0.0;
 
+  bring(side, {part, local, site, contact}, counterpart, placed);
+  return placed;
+}
+
+void Signer::bring(Side side, const Meeting& meeting, const OtherHand& counterpart, PlacedHand& placed) const {
+  const Site &local = meeting.local, &site = meeting.site;
+  HandState& state = placed.state;
   // Where the hands are each other's images the other one is kept out by the plane between them.
-  const bool meets_hand = is_on_other_hand(location) || on_arm;
+  const bool on_arm = placed.location == Location::kUpperArm || placed.location == Location::kElbow;
+  const bool meets_hand = is_on_other_hand(placed.location) || on_arm;
   std::vector<Obstacle> obstacles = body_obstacles(placed.touching && !meets_hand);
-  if (counterpart.state != nullptr && !counterpart.mirrored && (meets_hand || counterpart.acts))
-    add_other_arm(other(side), *counterpart.state, placed.touching && meets_hand, obstacles);
+  const bool touches_other = placed.touching && meets_hand;
+  const bool meets_other = counterpart.state != nullptr && !counterpart.mirrored && (meets_hand || counterpart.acts);
+  if (meets_other) add_other_arm(other(side), *counterpart.state, touches_other, obstacles);
   const double outside = side == Side::kRight ? -1.0 : 1.0;
   std::optional<MirrorPlane> mirror;
   if (counterpart.mirrored && site.position.x * outside > -0.01)
-    mirror = MirrorPlane{outside, placed.touching && meets_hand ? kPresses / 2.0 : -kKeepsOff,
-                         placed.touching && meets_hand};
+    mirror = MirrorPlane{outside, touches_other ? kPresses / 2.0 : -kKeepsOff, touches_other};
 
   // Who reaches across to the other arm lifts the elbow.
-  Wish wish{state.wrist.rotation, local.position, site.position, !contact && !counterpart.shift, on_arm};
-  if (!contact && counterpart.shift) wish.target += *counterpart.shift;
+  Wish wish{state.wrist.rotation, local.position, site.position, !meeting.contact && !counterpart.shift, on_arm};
+  if (!meeting.contact && counterpart.shift) wish.target += *counterpart.shift;
   placed.shift = settle(side, wish, obstacles, state);
   const Vec3 target = wish.target + placed.shift;
   if (counterpart.shift) placed.shift = *counterpart.shift;
   const std::vector<SurfacePatch> patches = hand_patches(side, state.angles);
   std::vector<Vec3> touching;
-  if (placed.touching) touching = region(part, local, patches);
+  if (placed.touching) touching = region(meeting.part, local, patches);
+  std::array<PlacedPatch, 16> other_points;
+  if (meets_other) other_points = hand_points(other(side), *counterpart.state);
   const auto admit = [&](const Vec3& pivot, Transform& wrist, double& swivel) {
     constexpr double kEnough = 0.5 * kDegree, kStep = 5.0 * kDegree;
     const Vec3& parent = parent_[static_cast<size_t>(side)];
@@ -266,7 +280,13 @@ PlacedHand Signer::place(const Posture& posture, const Handshape& handshape, Sid
       trial.wrist = {reached.wrist.rotation, reached.wrist.position + parent};
       trial.swivel = trial_swivel;
       const double too_deep = 1.001 * (enough - of_limits) / 25.0;
-      return of_limits + 25.0 * depth_in(arm_patches(side, trial), obstacles, {0.0, too_deep}).metres;
+      double deepest = depth_in(arm_patches(side, trial), obstacles, {0.0, too_deep}).metres;
+      if (meets_other && deepest < too_deep) {
+        std::vector<Obstacle> forearm;
+        add_forearm(side, trial, forearm);
+        deepest = std::max(deepest, depth_in(other_points, forearm, {deepest, too_deep}).metres);
+      }
+      return of_limits + 25.0 * deepest;
     };
     ArmReach::Reached best = reach(side).reach(wrist.rotation, pivot, place, swivel);
     double least = missing(best, swivel, 1e9);
@@ -287,7 +307,14 @@ PlacedHand Signer::place(const Posture& posture, const Handshape& handshape, Sid
   // from where it is wanted.
   const double free_lean =
       std::max(kContactLean, angle_between(wish.rotation, state.wrist.rotation) + 0.5 * kContactLean);
-  const HandFitGoal goal{wish.rotation, free_lean, local.position, target, touching, obstacles, mirror, admit};
+  HandFitGoal goal{wish.rotation, free_lean, local.position, target, touching, obstacles, mirror, std::nullopt, admit};
+  std::vector<SurfacePatch> met;
+  std::vector<Obstacle> own;
+  if (meets_other) {
+    met = hand_patches(other(side), counterpart.state->angles);
+    own = hand_obstacles(side, {}, state.angles, touches_other ? kPresses : -kKeepsOff, false);
+    goal.met = MetHand{counterpart.state->wrist, met, own};
+  }
   Transform outside_it = state.wrist;
   if (placed.touching) outside_it.position += site.normal * kComesFrom;
   HandFit fit = fit_hand(outside_it, state.swivel, patches, goal);
@@ -295,10 +322,36 @@ PlacedHand Signer::place(const Posture& posture, const Handshape& handshape, Sid
     const HandFit direct = fit_hand(state.wrist, state.swivel, patches, goal);
     if (direct.cost < fit.cost) fit = direct;
   }
+  const auto is_bad = [](const HandFit& found) { return found.deepest > kStillRight || found.gap > kStillRight; };
+  if (is_bad(fit)) {
+    // Turned as it is to be, out of everything, and from there.
+    Vec3 way = placed.touching ? site.normal : Vec3(0.0, 0.0, 1.0);
+    if (mirror) way = Vec3(outside, 0.0, 0.0);
+    if (meets_other && !placed.touching)
+      way = unit(
+          apply(state.wrist, local.position) -
+          apply(counterpart.state->wrist, hand(other(side)).site(HandPart::kPalm, counterpart.state->angles).position));
+    Transform free_of_all{wish.rotation, target - wish.rotation * local.position};
+    free_of_all.position += way_out(free_of_all, patches, goal, way, kFarthestOut) * way;
+    const auto from = [&](Transform wrist, double swivel) {
+      const double missing = goal.admit(local.position, wrist, swivel);
+      const HandFit found = fit_hand(wrist, swivel, patches, goal, missing);
+      if (found.cost < fit.cost) fit = found;
+    };
+    from(free_of_all, state.swivel);
+    if (placed.touching && is_bad(fit)) {
+      // As it is to be turned something else of the hand is before the part that is named: that touches.
+      touching = beside(meeting.part, local, patches);
+      goal.region = touching;
+      const Transform reached = fit.wrist;
+      const double swivel = fit.swivel;
+      from(free_of_all, state.swivel);
+      if (is_bad(fit)) from(reached, swivel);
+    }
+  }
   state.wrist = fit.wrist;
   state.swivel = fit.swivel;
   if (placed.touching) placed.part = fit.touching;
-  return placed;
 }
 
 Vec3 Signer::settle(Side side, const Wish& wish, std::span<const Obstacle> obstacles, HandState& state) const {
@@ -426,11 +479,23 @@ void Signer::add_other_arm(Side other_side, const HandState& other, bool touches
   };
   add(nodes.shoulder, arm.shoulder);
   add(nodes.elbow, arm.elbow);
-  add(nodes.wrist, other.wrist);
-  const auto digits = hand(other_side).digits(other.angles);
+  std::ranges::move(hand_obstacles(other_side, other.wrist, other.angles, allowed, touches),
+                    std::back_inserter(obstacles));
+}
+
+std::vector<Obstacle> Signer::hand_obstacles(Side side, const Transform& wrist, const HandAngles& angles,
+                                             double allowed, bool touches) const {
+  const ArmNodes& nodes = nodes_[static_cast<size_t>(side)];
+  std::vector<Obstacle> obstacles;
+  const auto add = [&](int node, const Transform& place) {
+    if (const Solid* solid = surface_.solid(node)) obstacles.push_back(make_obstacle(*solid, place, allowed, touches));
+  };
+  add(nodes.wrist, wrist);
+  const auto digits = hand(side).digits(angles);
   for (size_t d = 0; d < 5; ++d)
     for (size_t j = 0; j < 3; ++j)
-      add(nodes.digits[d][j], composed(other.wrist, digits[d][j]));
+      add(nodes.digits[d][j], composed(wrist, digits[d][j]));
+  return obstacles;
 }
 
 std::vector<SurfacePatch> Signer::hand_patches(Side side, const HandAngles& angles) const {
@@ -449,6 +514,18 @@ std::array<PlacedPatch, 2> Signer::arm_patches(Side side, const HandState& state
           PlacedPatch{&lower_upper_arm_[static_cast<size_t>(side)], arm.shoulder}};
 }
 
+std::vector<Vec3> Signer::beside(HandPart part, const Site& site, std::span<const SurfacePatch> hand) {
+  const double radius = std::min(kBeside, 0.02 + 1.2 * extent(part));
+  std::vector<Vec3> points;
+  for (const SurfacePatch& patch : hand) {
+    for (const Site& point : patch.points) {
+      const Vec3 apart = point.position - site.position;
+      if (glm::dot(apart, apart) < radius * radius) points.push_back(point.position);
+    }
+  }
+  return points;
+}
+
 std::vector<Vec3> Signer::region(HandPart part, const Site& site, std::span<const SurfacePatch> hand) {
   const double radius = extent(part);
   std::vector<Vec3> points;
@@ -465,16 +542,22 @@ std::vector<Vec3> Signer::region(HandPart part, const Site& site, std::span<cons
 
 Depth Signer::coarse_depth(Side side, const HandState& state, std::span<const Obstacle> obstacles,
                            double at_least) const {
-  constexpr size_t kFew = 6, kOfPalm = 18;
-  const ArmNodes& nodes = nodes_[static_cast<size_t>(side)];
   std::array<PlacedPatch, 17> patches;
   patches[0] = arm_patches(side, state)[0];
-  patches[1] = {&surface_.patch(nodes.wrist), state.wrist, kOfPalm};
+  std::ranges::copy(hand_points(side, state), patches.begin() + 1);
+  return depth_in(patches, obstacles, {at_least});
+}
+
+std::array<PlacedPatch, 16> Signer::hand_points(Side side, const HandState& state) const {
+  constexpr size_t kFew = 6, kOfPalm = 18;
+  const ArmNodes& nodes = nodes_[static_cast<size_t>(side)];
+  std::array<PlacedPatch, 16> patches;
+  patches[0] = {&surface_.patch(nodes.wrist), state.wrist, kOfPalm};
   const auto digits = hand(side).digits(state.angles);
   for (size_t d = 0; d < 5; ++d)
     for (size_t j = 0; j < 3; ++j)
-      patches[2 + 3 * d + j] = {&surface_.patch(nodes.digits[d][j]), composed(state.wrist, digits[d][j]), kFew};
-  return depth_in(patches, obstacles, {at_least});
+      patches[1 + 3 * d + j] = {&surface_.patch(nodes.digits[d][j]), composed(state.wrist, digits[d][j]), kFew};
+  return patches;
 }
 
 Depth Signer::depth_in_body(Side side, const HandState& state, double at_least) const {
@@ -488,7 +571,19 @@ Depth Signer::depth_in_arm(Side side, const HandState& state, const HandState& o
   if (glm::dot(apart, apart) > kApart * kApart) return {};
   std::vector<Obstacle> obstacles;
   add_other_arm(other(side), other_arm, false, obstacles);
-  return coarse_depth(side, state, obstacles, at_least);
+  const Depth in_other = coarse_depth(side, state, obstacles, at_least);
+  // Fingers are too small to be met by the few points of a forearm or a palm: theirs are looked for in these.
+  std::vector<Obstacle> own = hand_obstacles(side, state.wrist, state.angles, -kKeepsOff, false);
+  add_forearm(side, state, own);
+  Depth of_other = depth_in(hand_points(other(side), other_arm), own, {std::max(at_least, in_other.metres)});
+  if (of_other.metres <= in_other.metres) return in_other;
+  of_other.out = -of_other.out;
+  return of_other;
+}
+
+void Signer::add_forearm(Side side, const HandState& state, std::vector<Obstacle>& obstacles) const {
+  if (const Solid* solid = surface_.solid(nodes_[static_cast<size_t>(side)].elbow))
+    obstacles.push_back(make_obstacle(*solid, place_arm(side, state).elbow, -kKeepsOff, false));
 }
 
 Depth Signer::forearm_depth(Side side, const HandState& state, double at_least, double enough) const {

@@ -11,10 +11,11 @@
 namespace auslan {
 namespace {
 
-constexpr int kSamples = 8;
+constexpr int kSamples = 12;  // hands are thin: of these; the body needs every second one only
 // Depths count from a little above the surface.
 constexpr double kTolerated = 0.0025, kRoom = 0.003;  // metres
-constexpr double kFarthest = 0.36;                    // that a path is bent, metres
+// That a path is bent at most, metres, and as a share of its length.
+constexpr double kFarthest = 0.04, kFartherByLength = 0.6;
 // Of an arm's length: beyond it an elbow that goes straight turns faster than any elbow.
 constexpr double kEasyReach = 0.985;
 
@@ -23,20 +24,34 @@ struct Journey {
   const Signer& signer;
   Side side;
   HandSegment& segment;
-  const HandSegment* other;
+  const TouchedSurfaces& touched;
+  const Meanwhile& meanwhile;
 
+  HandState other_at(double share) const {
+    return state_after(*meanwhile.other, 1.0 - (1.0 - share) * meanwhile.share);
+  }
   struct Found {
     Depth depth;
     bool in_body = true;
   };
-  Found depth(double share, double at_least = 0.0) const {
+  Found depth(int sample, double at_least = 0.0) const {
+    const double share = static_cast<double>(sample) / kSamples;
+    Found found;
+    if (sample % 2 != 0 && meanwhile.other == nullptr) return found;
     const HandState state = state_after(segment, share);
-    Found found{signer.depth_in_body(side, state, at_least), true};
-    if (other == nullptr) return found;
-    const Depth in_arm =
-        signer.depth_in_arm(side, state, state_after(*other, share), std::max(at_least, found.depth.metres));
+    if (sample % 2 == 0) found.depth = signer.depth_in_body(side, state, at_least);
+    if (meanwhile.other == nullptr) return found;
+    const Depth in_arm = signer.depth_in_arm(side, state, other_at(share), std::max(at_least, found.depth.metres));
     if (in_arm.metres > found.depth.metres) found = {in_arm, false};
     return found;
+  }
+  /// The way from the middle of the other hand to that of this one.
+  Vec3 apart(double share) const {
+    const auto middle = [this](Side of, const HandState& state) {
+      return apply(state.wrist, signer.hand(of).site(HandPart::kPalm, state.angles).position);
+    };
+    const Side other = side == Side::kLeft ? Side::kRight : Side::kLeft;
+    return unit(middle(side, state_after(segment, share)) - middle(other, other_at(share)));
   }
 };
 
@@ -52,7 +67,7 @@ Sample deepest_sample(const Journey& journey, double from_depth, double to_depth
   for (int i = 1; i < kSamples; ++i) {
     const double share = static_cast<double>(i) / kSamples;
     const double own = std::max({from_depth * (1.0 - 3.0 * share), to_depth * (3.0 * share - 2.0), 0.0});
-    Journey::Found found = journey.depth(share, own + worst.found.depth.metres);
+    Journey::Found found = journey.depth(i, own + worst.found.depth.metres);
     found.depth.metres -= own;
     if (found.depth.metres > worst.found.depth.metres) worst = {i, found};
   }
@@ -68,7 +83,7 @@ void keep_in_reach(const Journey& journey) {
       kEasyReach * (length(skeleton.node(nodes.elbow).offset) + length(skeleton.node(nodes.wrist).offset));
   const Vec3 shoulder = skeleton.rest_position(nodes.shoulder);
   constexpr int kTimes = 16;
-  for (int i = 1, times = 0; i < kSamples; ++i) {
+  for (int i = 2, times = 0; i < kSamples; i += 2) {
     const double share = static_cast<double>(i) / kSamples;
     while (length(state_after(journey.segment, share).wrist.position - shoulder) > reach && times++ < kTimes)
       journey.segment.bulge *= 0.85;
@@ -78,22 +93,45 @@ void keep_in_reach(const Journey& journey) {
 /// Returns how deep the hand still goes, metres; 0 where that is too little to count.
 double bend_out(const Journey& journey) {
   constexpr int kRounds = 8;
-  const double from_depth = journey.depth(0.0).depth.metres, to_depth = journey.depth(1.0).depth.metres;
+  const double from_depth = journey.depth(0).depth.metres, to_depth = journey.depth(kSamples).depth.metres;
   HandSegment& segment = journey.segment;
+  const Vec3 path = segment.to.wrist.position - segment.from.wrist.position;
+  const double bent = std::sqrt(glm::dot(segment.bulge, segment.bulge));
+  const double farthest = std::max(bent, kFarthest + kFartherByLength * std::sqrt(glm::dot(path, path)));
+  double least = 1e9;
+  Vec3 best = segment.bulge, before(0.0);
   for (int round = 0;; ++round) {
     const Sample worst = deepest_sample(journey, from_depth, to_depth);
     if (worst.index == 0) return 0.0;
-    if (round == kRounds) return worst.found.depth.metres;
-    const double s = minimum_jerk(static_cast<double>(worst.index) / kSamples);
     const Depth& depth = worst.found.depth;
+    if (depth.metres < least) {
+      least = depth.metres;
+      best = segment.bulge;
+    }
+    if (round == kRounds) {
+      segment.bulge = best;
+      return least;
+    }
+    const double share = static_cast<double>(worst.index) / kSamples;
+    const double s = minimum_jerk(share);
     // Round the body forwards, not round its back, to which it may be nearer.
-    const double x = state_after(segment, static_cast<double>(worst.index) / kSamples).wrist.position.x;
+    const double x = state_after(segment, share).wrist.position.x;
     const double beside = std::clamp(x / 0.2, -1.0, 1.0);
+    const Vec3& nearer = s < 0.5 ? journey.touched.from : journey.touched.to;
+    const Vec3& along = nearer != Vec3(0.0) ? nearer : s < 0.5 ? journey.touched.to : journey.touched.from;
     Vec3 out = depth.out;
-    if (worst.found.in_body) out = unit(out.z > 0.2 ? out + Vec3(0.0, 0.0, 0.5) : Vec3(beside, 0.0, 1.0));
+    // Between two things that push each other's way the hands part.
+    if (!worst.found.in_body && glm::dot(out, before) < 0.0) out = journey.apart(share);
+    if (along != Vec3(0.0) && glm::dot(along, out) > -0.5) {
+      // Off what is touched, not round it.
+      out = unit(along + 0.5 * out);
+    } else if (worst.found.in_body) {
+      out = unit(out.z > 0.2 ? out + Vec3(0.0, 0.0, 0.5) : Vec3(beside, 0.0, 1.0));
+    }
+    before = out;
     segment.bulge += out * ((depth.metres + kRoom) / std::max(0.4, 4.0 * s * (1.0 - s)));
     const double length = std::sqrt(glm::dot(segment.bulge, segment.bulge));
-    if (length > kFarthest) segment.bulge *= kFarthest / length;
+    if (length > farthest) segment.bulge *= farthest / length;
     keep_in_reach(journey);
   }
 }
@@ -106,7 +144,7 @@ void swing_out(const Signer& signer, Side side, HandSegment& segment) {
     double deepest = 0.0;
     // A swing must be worth it.
     const double enough = least - 0.003;
-    for (int i = 1; i < kSamples && deepest <= enough; ++i) {
+    for (int i = 2; i < kSamples && deepest <= enough; i += 2) {
       const HandState state = state_after(segment, static_cast<double>(i) / kSamples);
       deepest = std::max(deepest, signer.forearm_depth(side, state, deepest, 1.001 * enough).metres);
     }
@@ -120,19 +158,21 @@ void swing_out(const Signer& signer, Side side, HandSegment& segment) {
 
 }  // namespace
 
-Way find_way(const Signer& signer, Side side, const HandSegment& wanted, const HandSegment* other) {
+Way find_way(const Signer& signer, Side side, const HandSegment& wanted, const TouchedSurfaces& touched,
+             const Meanwhile& meanwhile) {
   Way way;
   way.segment = wanted;
   way.segment.begin = 0;
   way.segment.end = kTicksPerSecond;
-  way.depth = keep_clear(signer, side, way.segment, other);
+  way.depth = keep_clear(signer, side, way.segment, touched, meanwhile);
   return way;
 }
 
-double keep_clear(const Signer& signer, Side side, HandSegment& segment, const HandSegment* other) {
+double keep_clear(const Signer& signer, Side side, HandSegment& segment, const TouchedSurfaces& touched,
+                  const Meanwhile& meanwhile) {
   const Vec3 apart = segment.to.wrist.position - segment.from.wrist.position;
   if (glm::dot(apart, apart) < 1e-4 || segment.turns > 0) return 0.0;
-  const double depth = bend_out({signer, side, segment, other});
+  const double depth = bend_out({signer, side, segment, touched, meanwhile});
   swing_out(signer, side, segment);
   return depth;
 }

@@ -6,7 +6,26 @@
 #include "synthesis/score.h"
 #include "synthesis/signer.h"
 
+#include <algorithm>
+
 namespace auslan {
+
+/// Outward normals, world, of what a hand touches where its way begins and ends; zero: nothing. It leaves and comes
+/// along them.
+struct TouchedSurfaces {
+  Vec3 from{0.0}, to{0.0};
+};
+
+/// What the other arm does while a hand goes its way.
+struct Meanwhile {
+  const HandSegment* other = nullptr;  ///< null: nothing that matters
+  double share = 1.0;                  ///< of the other's time that the way takes; both end together
+};
+
+/// By how much a way of this length stands off the surfaces at its ends, metres.
+inline double lift_of(double distance) {
+  return std::min(0.07, 0.35 * distance);
+}
 
 /// A segment without times, and how long the arm takes for it at least.
 struct Way {
@@ -17,10 +36,12 @@ struct Way {
 
 /// `wanted`: from where to where, and how the path and the hand are bent in any case. Where the path would lead through
 /// head, trunk or the other arm it is bent out of them, and the elbow swung out where the forearm would run into the
-/// trunk. What the ends touch may be touched near them too. `other`: what the other arm does at the same time, or null.
-Way find_way(const Signer& signer, Side side, const HandSegment& wanted, const HandSegment* other);
+/// trunk. What the ends touch may be touched near them too.
+Way find_way(const Signer& signer, Side side, const HandSegment& wanted, const TouchedSurfaces& touched,
+             const Meanwhile& meanwhile);
 
 /// The same for a path that an entry prescribes: bends it as little as it takes. Returns the depth that is left.
-double keep_clear(const Signer& signer, Side side, HandSegment& segment, const HandSegment* other);
+double keep_clear(const Signer& signer, Side side, HandSegment& segment, const TouchedSurfaces& touched,
+                  const Meanwhile& meanwhile);
 
 }  // namespace auslan

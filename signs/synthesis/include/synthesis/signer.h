@@ -106,6 +106,17 @@ class Signer {
     bool lifts = false;            ///< the elbow may be high
   };
 
+  /// What of a hand is to come where.
+  struct Meeting {
+    HandPart part = HandPart::kPalm;
+    Site local;            ///< of the part, wrist frame
+    Site site;             ///< world
+    bool contact = false;  ///< the entry names one, be it only to be near
+  };
+  /// Brings a hand, posed and turned as the entry states it, to its place: on what it touches, out of all else, within
+  /// the arm's limits.
+  void bring(Side side, const Meeting& meeting, const OtherHand& counterpart, PlacedHand& placed) const;
+
   /// The elbow's place and the hand's lean for which the limits of the arm and the room for the forearm ask. Returns by
   /// how much the place gave way, metres.
   Vec3 settle(Side side, const Wish& wish, std::span<const Obstacle> obstacles, HandState& state) const;
@@ -114,16 +125,24 @@ class Signer {
   /// Radians by which an arm has to break its limits for a wrist to be there.
   double strain(Side side, const HandState& state) const;
   Depth coarse_depth(Side side, const HandState& state, std::span<const Obstacle> obstacles, double at_least) const;
+  /// A few points of a hand, world space.
+  std::array<PlacedPatch, 16> hand_points(Side side, const HandState& state) const;
+  void add_forearm(Side side, const HandState& state, std::vector<Obstacle>& obstacles) const;
   /// Head, neck and trunk at rest; `touches`: the hand is to touch them.
   std::vector<Obstacle> body_obstacles(bool touches) const;
   /// The other arm with its hand.
   void add_other_arm(Side other_side, const HandState& other, bool touches, std::vector<Obstacle>& obstacles) const;
+  /// A hand alone, in the frame in which `wrist` is given.
+  std::vector<Obstacle> hand_obstacles(Side side, const Transform& wrist, const HandAngles& angles, double allowed,
+                                       bool touches) const;
   /// The surface of a hand in the wrist's frame.
   std::vector<SurfacePatch> hand_patches(Side side, const HandAngles& angles) const;
   /// The surface of the forearm and of the lower half of the upper arm, world space.
   std::array<PlacedPatch, 2> arm_patches(Side side, const HandState& state) const;
   /// The points that count as a part of the hand: those about its site that face as it does; wrist frame.
   static std::vector<Vec3> region(HandPart part, const Site& site, std::span<const SurfacePatch> hand);
+  /// All points near a part, however they face.
+  static std::vector<Vec3> beside(HandPart part, const Site& site, std::span<const SurfacePatch> hand);
   /// The place on the other hand or arm, world space.
   Site other_site(Location location, HandPart touching, Side other_side, const HandState& other, const Vec3& comes_from,
                   const Vec3& offset) const;
