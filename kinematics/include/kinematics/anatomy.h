@@ -43,6 +43,8 @@ Quat orient_hand(const HandFrame& rest, const Vec3& fingers, const Vec3& palm);
 /// flexes from 50 to 90 degrees, where the collateral ligaments of a real hand stop it.
 struct DigitAngles {
   double mcp = 0.0, pip = 0.0, dip = 0.0, abduction = 0.0;
+
+  friend bool operator==(const DigitAngles&, const DigitAngles&) = default;
 };
 
 /// Joint angles of the thumb, radians. At zero the thumb is straight and lies alongside the index's metacarpal, its pad
@@ -55,11 +57,15 @@ struct ThumbPose {
   /// joint does, whatever little palmar abduction is asked for.
   double opposition = 0.0;
   double mp = 0.0, ip = 0.0;  ///< flexion towards the pad
+
+  friend bool operator==(const ThumbPose&, const ThumbPose&) = default;
 };
 
 struct HandAngles {
   std::array<DigitAngles, 4> fingers;  ///< index, middle, ring, little
   ThumbPose thumb;
+
+  friend bool operator==(const HandAngles&, const HandAngles&) = default;
 };
 
 /// Local rotations of the digits' joints: thumb first, from the root outwards.

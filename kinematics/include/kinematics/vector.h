@@ -19,6 +19,8 @@ inline constexpr Quat kIdentity{1.0, 0.0, 0.0, 0.0};
 struct Transform {
   Quat rotation = kIdentity;
   Vec3 position{0.0};
+
+  friend bool operator==(const Transform&, const Transform&) = default;
 };
 
 inline Vec3 apply(const Transform& a_from_b, const Vec3& point_b) {

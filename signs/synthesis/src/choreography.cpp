@@ -14,6 +14,7 @@
 #include <map>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 namespace auslan {
 namespace {
@@ -258,13 +259,28 @@ void Choreographer::transition(const SignPerformance& performance, size_t index)
 }
 
 void Choreographer::add_beats(const SignPerformance& performance, const Unit& unit) {
+  struct Cleared {
+    const Beat* beat;
+    std::array<HandSegment, 2> segments;
+    double least;
+  };
+  std::vector<Cleared> cleared;
   for (const Beat& beat : performance.beats) {
     std::array<HandSegment, 2> segments = beat.hands;
     // However fast the signing, a hold is long enough to be read.
     double least = 0;
     if (beat.hold) least = unit.spelled ? stroke::kLeastLetterHold : stroke::kLeastSignHold;
+    // What is made again goes the same way again.
+    const auto before = std::ranges::find_if(cleared, [&beat](const Cleared& earlier) {
+      return earlier.beat->hands == beat.hands && earlier.beat->surfaces == beat.surfaces;
+    });
+    const bool again = !beat.hold && before != cleared.end();
+    if (again) {
+      segments = before->segments;
+      least = before->least;
+    }
     for (const size_t side : {kLeft, kRight}) {
-      if (!performance.active[side] || beat.hold) continue;
+      if (!performance.active[side] || beat.hold || again) continue;
       const auto hand = static_cast<Side>(side);
       segments[side].turn_middle = turn_through_joints(signer_, hand, segments[side]);
       HandSegment left = segments[kLeft];
@@ -273,6 +289,7 @@ void Choreographer::add_beats(const SignPerformance& performance, const Unit& un
                  {side == kRight && performance.active[kLeft] ? &left : nullptr});
       least = std::max(least, shortest_seconds(signer_, hand, segments[side]));
     }
+    if (!beat.hold && !again) cleared.push_back({&beat, segments, least});
     const Tick begin = now_;
     const Tick end = begin + paced(beat.seconds, least);
     for (const size_t side : {kLeft, kRight}) {

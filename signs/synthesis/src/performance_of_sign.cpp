@@ -95,11 +95,10 @@ Vec3 across(const Vec3& axis, const Vec3& wish) {
 /// Where a straight way would leave or meet a surface at a slant, it does so along the normal instead. What slides over
 /// a surface stays on it.
 void stand_off(const TouchedSurfaces& touched, HandSegment& segment) {
-  constexpr double kSteep = 0.7, kOneSurface = 0.5;  // cosines
+  constexpr double kSteep = 0.7;  // cosine
   const Vec3 way = segment.to.wrist.position - segment.from.wrist.position;
   const double distance = std::sqrt(glm::dot(way, way));
-  const double along = glm::dot(touched.from, touched.to);
-  if (distance < 1e-3 || along > kOneSurface) return;
+  if (distance < 1e-3 || touched.slides()) return;
   if (touched.from != Vec3(0.0) && glm::dot(way, touched.from) < kSteep * distance)
     segment.leave = lift_of(distance) * touched.from;
   if (touched.to != Vec3(0.0) && -glm::dot(way, touched.to) < kSteep * distance)

@@ -66,7 +66,9 @@ Sample deepest_sample(const Journey& journey, double from_depth, double to_depth
   worst.found.depth.metres = kTolerated;
   for (int i = 1; i < kSamples; ++i) {
     const double share = static_cast<double>(i) / kSamples;
-    const double own = std::max({from_depth * (1.0 - 3.0 * share), to_depth * (3.0 * share - 2.0), 0.0});
+    double own = std::max({from_depth * (1.0 - 3.0 * share), to_depth * (3.0 * share - 2.0), 0.0});
+    // What slides from one to the other is no deeper on the way.
+    if (journey.touched.slides()) own = std::max(own, from_depth + (to_depth - from_depth) * share);
     Journey::Found found = journey.depth(i, own + worst.found.depth.metres);
     found.depth.metres -= own;
     if (found.depth.metres > worst.found.depth.metres) worst = {i, found};
@@ -92,7 +94,7 @@ void keep_in_reach(const Journey& journey) {
 
 /// Returns how deep the hand still goes, metres; 0 where that is too little to count.
 double bend_out(const Journey& journey) {
-  constexpr int kRounds = 8;
+  constexpr int kRounds = 5;
   const double from_depth = journey.depth(0).depth.metres, to_depth = journey.depth(kSamples).depth.metres;
   HandSegment& segment = journey.segment;
   const Vec3 path = segment.to.wrist.position - segment.from.wrist.position;

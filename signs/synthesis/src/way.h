@@ -14,6 +14,11 @@ namespace auslan {
 /// along them.
 struct TouchedSurfaces {
   Vec3 from{0.0}, to{0.0};
+
+  /// From a place on a surface to another one: the hand stays on it.
+  bool slides() const { return glm::dot(from, to) > 0.5; }
+
+  friend bool operator==(const TouchedSurfaces&, const TouchedSurfaces&) = default;
 };
 
 /// What the other arm does while a hand goes its way.

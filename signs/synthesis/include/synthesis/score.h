@@ -34,6 +34,8 @@ struct HandState {
   double swivel = 0;        ///< of the elbow, radians, as solve_arm takes it
   HandAngles angles;        ///< of the digits, radians
   double follows_head = 0;  ///< 1: the placement moves with the head (contact on the face), 0: with the trunk
+
+  friend bool operator==(const HandState&, const HandState&) = default;
 };
 
 /// A movement laid over a segment: value = amplitude * sin(2 pi (cycles * tau + phase)), faded in and out.
@@ -47,6 +49,8 @@ struct Oscillation {
   double cycles = 0;
   double phase = 0;   ///< in cycles
   double growth = 1;  ///< amplitude at the end over that at the beginning
+
+  friend bool operator==(const Oscillation&, const Oscillation&) = default;
 };
 
 /// What one hand does between two times.
@@ -65,6 +69,8 @@ struct HandSegment {
   double circle_growth = 1;  ///< of the circle's size: that at the end over that at the beginning
   double digits_lead = 1;    ///< the digits arrive after this fraction of the segment: handshape leads location
   Oscillation oscillation;
+
+  friend bool operator==(const HandSegment&, const HandSegment&) = default;
 };
 
 /// Face weights that rise, hold and fall.
