@@ -11,7 +11,9 @@
 namespace auslan {
 namespace {
 
-constexpr int kSamples = 12;  // hands are thin: of these; the body needs every second one only
+// Of a way; where it is waved or goes round there are twice as many. Hands are thin; the body needs every second one
+// only.
+constexpr int kSamples = 12;
 // Depths count from a little above the surface.
 constexpr double kTolerated = 0.0025, kRoom = 0.003;  // metres
 // That a path is bent at most, metres, and as a share of its length.
@@ -26,6 +28,7 @@ struct Journey {
   HandSegment& segment;
   const TouchedSurfaces& touched;
   const Meanwhile& meanwhile;
+  int samples = kSamples;
 
   HandState other_at(double share) const {
     return state_after(*meanwhile.other, 1.0 - (1.0 - share) * meanwhile.share);
@@ -35,7 +38,7 @@ struct Journey {
     bool in_body = true;
   };
   Found depth(int sample, double at_least = 0.0) const {
-    const double share = static_cast<double>(sample) / kSamples;
+    const double share = static_cast<double>(sample) / samples;
     Found found;
     if (sample % 2 != 0 && meanwhile.other == nullptr) return found;
     const HandState state = state_after(segment, share);
@@ -64,8 +67,8 @@ struct Sample {
 Sample deepest_sample(const Journey& journey, double from_depth, double to_depth) {
   Sample worst;
   worst.found.depth.metres = kTolerated;
-  for (int i = 1; i < kSamples; ++i) {
-    const double share = static_cast<double>(i) / kSamples;
+  for (int i = 1; i < journey.samples; ++i) {
+    const double share = static_cast<double>(i) / journey.samples;
     double own = std::max({from_depth * (1.0 - 3.0 * share), to_depth * (3.0 * share - 2.0), 0.0});
     // What slides from one to the other is no deeper on the way.
     if (journey.touched.slides()) own = std::max(own, from_depth + (to_depth - from_depth) * share);
@@ -95,7 +98,7 @@ void keep_in_reach(const Journey& journey) {
 /// Returns how deep the hand still goes, metres; 0 where that is too little to count.
 double bend_out(const Journey& journey) {
   constexpr int kRounds = 5;
-  const double from_depth = journey.depth(0).depth.metres, to_depth = journey.depth(kSamples).depth.metres;
+  const double from_depth = journey.depth(0).depth.metres, to_depth = journey.depth(journey.samples).depth.metres;
   HandSegment& segment = journey.segment;
   const Vec3 path = segment.to.wrist.position - segment.from.wrist.position;
   const double bent = std::sqrt(glm::dot(segment.bulge, segment.bulge));
@@ -114,7 +117,7 @@ double bend_out(const Journey& journey) {
       segment.bulge = best;
       return least;
     }
-    const double share = static_cast<double>(worst.index) / kSamples;
+    const double share = static_cast<double>(worst.index) / journey.samples;
     const double s = minimum_jerk(share);
     // Round the body forwards, not round its back, to which it may be nearer.
     const double x = state_after(segment, share).wrist.position.x;
@@ -173,8 +176,9 @@ Way find_way(const Signer& signer, Side side, const HandSegment& wanted, const T
 double keep_clear(const Signer& signer, Side side, HandSegment& segment, const TouchedSurfaces& touched,
                   const Meanwhile& meanwhile) {
   const Vec3 apart = segment.to.wrist.position - segment.from.wrist.position;
-  if (glm::dot(apart, apart) < 1e-4 || segment.turns > 0) return 0.0;
-  const double depth = bend_out({signer, side, segment, touched, meanwhile});
+  const bool waved = segment.turns > 0 || segment.oscillation.cycles > 0;
+  if (glm::dot(apart, apart) < 1e-4 && !waved) return 0.0;
+  const double depth = bend_out({signer, side, segment, touched, meanwhile, waved ? 2 * kSamples : kSamples});
   swing_out(signer, side, segment);
   return depth;
 }
