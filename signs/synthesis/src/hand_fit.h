@@ -12,6 +12,9 @@
 
 namespace auslan {
 
+/// How deep what touches may press in, and how far off all else keeps, metres.
+inline constexpr double kPresses = 0.0012, kKeepsOff = 0.0015;
+
 /// What a hand may come near to.
 struct Obstacle {
   const Solid* solid = nullptr;

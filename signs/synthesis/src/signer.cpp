@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -21,8 +20,6 @@ namespace {
 constexpr double kPalmReach = 0.045;
 // A hand that is `near` a place keeps this distance, metres.
 constexpr double kNearDistance = 0.015;
-// How deep what touches may press in, and how far off all else keeps, metres.
-constexpr double kPresses = 0.0012, kKeepsOff = 0.0015;
 
 // What an elbow's place costs. A hand leans freely by a little, then a degree costs as much as moving the elbow by six,
 // and more from where it is nearly half way to another of the 26 directions. Of a forearm in the body, 3 mm cost as
@@ -36,7 +33,6 @@ constexpr double kEasyHeight = 0.5, kHighElbowCost = 60.0, kHighElbowLean = 0.5;
 constexpr int kSwivels = 15;
 constexpr double kFreeLean = 2.0 * kDegree, kTrueLean = 20.0 * kDegree;
 constexpr double kLeanCost = 36.0, kFarLeanCost = 300.0, kExcessCost = 2000.0, kOffCost = 1e4, kDepthCost = 1e5;
-constexpr double kBeside = 0.06;  // of a part, metres
 constexpr double kContactLean = 12.0 * kDegree;
 constexpr double kComesFrom = 0.03, kWell = 0.002;
 // What is no deeper or farther off than this is seen as touching; a hand that gets nowhere sets out from farther off.
@@ -53,10 +49,6 @@ HandPart default_part(const Handshape& handshape, bool palm_faces) {
   if (handshape.selected == "index+middle") return HandPart::kIndexMiddleTips;
   if (handshape.selected == "index+thumb") return HandPart::kThumbIndexTips;
   return palm_faces ? HandPart::kPalm : HandPart::kFingertips;
-}
-
-Transform composed(const Transform& a_from_b, const Transform& b_from_c) {
-  return {a_from_b.rotation * b_from_c.rotation, apply(a_from_b, b_from_c.position)};
 }
 
 bool is_broad(Location location) {
@@ -100,6 +92,18 @@ double extent(HandPart part) {
     default:
       return 0.009;
   }
+}
+
+/// How far about a part something else counts as beside it, metres.
+double beside(HandPart part) {
+  return std::min(0.06, 0.02 + 1.2 * extent(part));
+}
+// Of the normals of a part's points and its site: the cosine that they have at least.
+constexpr double kFacesAlike = 0.5, kAnyWay = -2.0;
+
+/// Of the other arm, above the forearm.
+bool is_on_upper_half(Location location) {
+  return location == Location::kUpperArm || location == Location::kElbow;
 }
 
 }  // namespace
@@ -196,7 +200,7 @@ PlacedHand Signer::place(const Posture& posture, const Handshape& handshape, Sid
   // A finer target on the other hand takes precedence over the posture's own location.
   Location location = posture.location;
   if (contact && posture.contact->target) location = *posture.contact->target;
-  const bool on_arm = location == Location::kUpperArm || location == Location::kElbow;
+  const bool on_arm = is_on_upper_half(location);
   const bool on_other = is_on_other_hand(location) || on_arm;
   const bool palm_faces = is_on_head(location) || on_other ? palm.z < -0.5 || on_other : palm.z < -0.5;
   std::optional<HandPart> named;
@@ -245,7 +249,7 @@ void Signer::bring(Side side, const Meeting& meeting, const OtherHand& counterpa
   const Site &local = meeting.local, &site = meeting.site;
   HandState& state = placed.state;
   // Where the hands are each other's images the other one is kept out by the plane between them.
-  const bool on_arm = placed.location == Location::kUpperArm || placed.location == Location::kElbow;
+  const bool on_arm = is_on_upper_half(placed.location);
   const bool meets_hand = is_on_other_hand(placed.location) || on_arm;
   std::vector<Obstacle> obstacles = body_obstacles(placed.touching && !meets_hand);
   const bool touches_other = placed.touching && meets_hand;
@@ -264,7 +268,7 @@ void Signer::bring(Side side, const Meeting& meeting, const OtherHand& counterpa
   if (counterpart.shift) placed.shift = *counterpart.shift;
   const std::vector<SurfacePatch> patches = hand_patches(side, state.angles);
   std::vector<Vec3> touching;
-  if (placed.touching) touching = region(meeting.part, local, patches);
+  if (placed.touching) touching = points_about(local, patches, extent(meeting.part), kFacesAlike);
   std::array<PlacedPatch, 16> other_points;
   if (meets_other) other_points = hand_points(other(side), *counterpart.state);
   const auto admit = [&](const Vec3& pivot, Transform& wrist, double& swivel) {
@@ -341,7 +345,7 @@ void Signer::bring(Side side, const Meeting& meeting, const OtherHand& counterpa
     from(free_of_all, state.swivel);
     if (placed.touching && is_bad(fit)) {
       // As it is to be turned something else of the hand is before the part that is named: that touches.
-      touching = beside(meeting.part, local, patches);
+      touching = points_about(local, patches, beside(meeting.part), kAnyWay);
       goal.region = touching;
       const Transform reached = fit.wrist;
       const double swivel = fit.swivel;
@@ -452,142 +456,18 @@ double Signer::elbow_height(Side side, const ArmSolution& arm) const {
   return std::max(0.0, upper.y + kEasyHeight);
 }
 
-double Signer::strain(Side side, const HandState& state) const {
-  const Vec3& parent = parent_[static_cast<size_t>(side)];
-  return reach(side).excess({state.wrist.rotation, state.wrist.position - parent}, state.swivel);
-}
-
-std::vector<Obstacle> Signer::body_obstacles(bool touches) const {
-  std::vector<Obstacle> obstacles;
-  const Skeleton& skeleton = figure_->skeleton;
-  for (const char* name : {"spine_base", "neck_base", "head_base"}) {
-    const int node = skeleton.find(name);
-    if (const Solid* solid = surface_.solid(node))
-      obstacles.push_back(
-          make_obstacle(*solid, {kIdentity, skeleton.rest_position(node)}, touches ? kPresses : -kKeepsOff, touches));
-  }
-  return obstacles;
-}
-
-void Signer::add_other_arm(Side other_side, const HandState& other, bool touches,
-                           std::vector<Obstacle>& obstacles) const {
-  const ArmNodes& nodes = nodes_[static_cast<size_t>(other_side)];
-  const ArmPlacement arm = place_arm(other_side, other);
-  const double allowed = touches ? kPresses : -kKeepsOff;
-  const auto add = [&](int node, const Transform& place) {
-    if (const Solid* solid = surface_.solid(node)) obstacles.push_back(make_obstacle(*solid, place, allowed, touches));
-  };
-  add(nodes.shoulder, arm.shoulder);
-  add(nodes.elbow, arm.elbow);
-  std::ranges::move(hand_obstacles(other_side, other.wrist, other.angles, allowed, touches),
-                    std::back_inserter(obstacles));
-}
-
-std::vector<Obstacle> Signer::hand_obstacles(Side side, const Transform& wrist, const HandAngles& angles,
-                                             double allowed, bool touches) const {
-  const ArmNodes& nodes = nodes_[static_cast<size_t>(side)];
-  std::vector<Obstacle> obstacles;
-  const auto add = [&](int node, const Transform& place) {
-    if (const Solid* solid = surface_.solid(node)) obstacles.push_back(make_obstacle(*solid, place, allowed, touches));
-  };
-  add(nodes.wrist, wrist);
-  const auto digits = hand(side).digits(angles);
-  for (size_t d = 0; d < 5; ++d)
-    for (size_t j = 0; j < 3; ++j)
-      add(nodes.digits[d][j], composed(wrist, digits[d][j]));
-  return obstacles;
-}
-
-std::vector<SurfacePatch> Signer::hand_patches(Side side, const HandAngles& angles) const {
-  const ArmNodes& nodes = nodes_[static_cast<size_t>(side)];
-  std::vector<SurfacePatch> patches = {surface_.patch(nodes.wrist)};
-  const auto digits = hand(side).digits(angles);
-  for (size_t d = 0; d < 5; ++d)
-    for (size_t j = 0; j < 3; ++j)
-      patches.push_back(placed(surface_.patch(nodes.digits[d][j]), digits[d][j]));
-  return patches;
-}
-
-std::array<PlacedPatch, 2> Signer::arm_patches(Side side, const HandState& state) const {
-  const ArmPlacement arm = place_arm(side, state);
-  return {PlacedPatch{&surface_.patch(nodes_[static_cast<size_t>(side)].elbow), arm.elbow},
-          PlacedPatch{&lower_upper_arm_[static_cast<size_t>(side)], arm.shoulder}};
-}
-
-std::vector<Vec3> Signer::beside(HandPart part, const Site& site, std::span<const SurfacePatch> hand) {
-  const double radius = std::min(kBeside, 0.02 + 1.2 * extent(part));
+std::vector<Vec3> Signer::points_about(const Site& site, std::span<const SurfacePatch> hand, double radius,
+                                       double facing) {
   std::vector<Vec3> points;
   for (const SurfacePatch& patch : hand) {
     for (const Site& point : patch.points) {
       const Vec3 apart = point.position - site.position;
-      if (glm::dot(apart, apart) < radius * radius) points.push_back(point.position);
-    }
-  }
-  return points;
-}
-
-std::vector<Vec3> Signer::region(HandPart part, const Site& site, std::span<const SurfacePatch> hand) {
-  const double radius = extent(part);
-  std::vector<Vec3> points;
-  for (const SurfacePatch& patch : hand) {
-    for (const Site& point : patch.points) {
-      const Vec3 apart = point.position - site.position;
-      if (glm::dot(apart, apart) < radius * radius && glm::dot(point.normal, site.normal) > 0.5)
+      if (glm::dot(apart, apart) < radius * radius && glm::dot(point.normal, site.normal) > facing)
         points.push_back(point.position);
     }
   }
   if (points.empty()) points.push_back(site.position);
   return points;
-}
-
-Depth Signer::coarse_depth(Side side, const HandState& state, std::span<const Obstacle> obstacles,
-                           double at_least) const {
-  std::array<PlacedPatch, 17> patches;
-  patches[0] = arm_patches(side, state)[0];
-  std::ranges::copy(hand_points(side, state), patches.begin() + 1);
-  return depth_in(patches, obstacles, {at_least});
-}
-
-std::array<PlacedPatch, 16> Signer::hand_points(Side side, const HandState& state) const {
-  constexpr size_t kFew = 6, kOfPalm = 18;
-  const ArmNodes& nodes = nodes_[static_cast<size_t>(side)];
-  std::array<PlacedPatch, 16> patches;
-  patches[0] = {&surface_.patch(nodes.wrist), state.wrist, kOfPalm};
-  const auto digits = hand(side).digits(state.angles);
-  for (size_t d = 0; d < 5; ++d)
-    for (size_t j = 0; j < 3; ++j)
-      patches[1 + 3 * d + j] = {&surface_.patch(nodes.digits[d][j]), composed(state.wrist, digits[d][j]), kFew};
-  return patches;
-}
-
-Depth Signer::depth_in_body(Side side, const HandState& state, double at_least) const {
-  return coarse_depth(side, state, body_obstacles(false), at_least);
-}
-
-Depth Signer::depth_in_arm(Side side, const HandState& state, const HandState& other_arm, double at_least) const {
-  // Hands that are an arm's length apart do not meet.
-  constexpr double kApart = 0.5;
-  const Vec3 apart = state.wrist.position - other_arm.wrist.position;
-  if (glm::dot(apart, apart) > kApart * kApart) return {};
-  std::vector<Obstacle> obstacles;
-  add_other_arm(other(side), other_arm, false, obstacles);
-  const Depth in_other = coarse_depth(side, state, obstacles, at_least);
-  // Fingers are too small to be met by the few points of a forearm or a palm: theirs are looked for in these.
-  std::vector<Obstacle> own = hand_obstacles(side, state.wrist, state.angles, -kKeepsOff, false);
-  add_forearm(side, state, own);
-  Depth of_other = depth_in(hand_points(other(side), other_arm), own, {std::max(at_least, in_other.metres)});
-  if (of_other.metres <= in_other.metres) return in_other;
-  of_other.out = -of_other.out;
-  return of_other;
-}
-
-void Signer::add_forearm(Side side, const HandState& state, std::vector<Obstacle>& obstacles) const {
-  if (const Solid* solid = surface_.solid(nodes_[static_cast<size_t>(side)].elbow))
-    obstacles.push_back(make_obstacle(*solid, place_arm(side, state).elbow, -kKeepsOff, false));
-}
-
-Depth Signer::forearm_depth(Side side, const HandState& state, double at_least, double enough) const {
-  return depth_in(arm_patches(side, state), body_obstacles(false), {at_least, enough});
 }
 
 HandState Signer::rest(Side side) const {

@@ -122,8 +122,6 @@ class Signer {
   Vec3 settle(Side side, const Wish& wish, std::span<const Obstacle> obstacles, HandState& state) const;
   /// How high the elbow is lifted, of the upper arm's length: 0 up to 30 degrees below the level, half at the level.
   double elbow_height(Side side, const ArmSolution& arm) const;
-  /// Radians by which an arm has to break its limits for a wrist to be there.
-  double strain(Side side, const HandState& state) const;
   Depth coarse_depth(Side side, const HandState& state, std::span<const Obstacle> obstacles, double at_least) const;
   /// A few points of a hand, world space.
   std::array<PlacedPatch, 16> hand_points(Side side, const HandState& state) const;
@@ -139,10 +137,10 @@ class Signer {
   std::vector<SurfacePatch> hand_patches(Side side, const HandAngles& angles) const;
   /// The surface of the forearm and of the lower half of the upper arm, world space.
   std::array<PlacedPatch, 2> arm_patches(Side side, const HandState& state) const;
-  /// The points that count as a part of the hand: those about its site that face as it does; wrist frame.
-  static std::vector<Vec3> region(HandPart part, const Site& site, std::span<const SurfacePatch> hand);
-  /// All points near a part, however they face.
-  static std::vector<Vec3> beside(HandPart part, const Site& site, std::span<const SurfacePatch> hand);
+  /// The points of a hand within `radius` of a site that face as it does, by the cosine `facing` at least; the site
+  /// itself where there is none; wrist frame.
+  static std::vector<Vec3> points_about(const Site& site, std::span<const SurfacePatch> hand, double radius,
+                                        double facing);
   /// The place on the other hand or arm, world space.
   Site other_site(Location location, HandPart touching, Side other_side, const HandState& other, const Vec3& comes_from,
                   const Vec3& offset) const;
