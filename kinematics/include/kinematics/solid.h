@@ -36,13 +36,8 @@ class Solid {
   /// which it is deepest: never deeper than it truly is below the surface of all of them together.
   std::optional<NearestSurface> nearest(const Vec3& point, double within) const;
 
-  /// The same for a point that lies deeper than `depth` metres (negative: or outside, but nearer than that), and
-  /// nothing for any other: most points are told from a grid, without asking for their nearest surface. `above`, where
-  /// it is not null, is set to how far the point has to move at least to be so deep, metres.
-  std::optional<NearestSurface> below(const Vec3& point, double depth, double* above = nullptr) const;
-
   /// How far a point has to move at least to be deeper than `depth`, metres, told from the grid alone; 0 where the grid
-  /// does not tell that it is not so deep. What is not 0 spares a call of below().
+  /// does not tell that it is not so deep.
   double clear_of(const Vec3& point, double depth) const {
     if (parts_.empty()) return std::numeric_limits<double>::max();
     const Whereabouts at = whereabouts(point);
@@ -96,7 +91,7 @@ class Solid {
     struct Cell {
       uint8_t gap = UINT8_MAX;          ///< steps to the next cell that a surface crosses; 0: one crosses this
       Side side = Side::kUnknown;       ///< of a crossed cell unknown
-      uint32_t part = 0, triangle = 0;  ///< one that crosses
+      uint32_t part = 0, triangle = 0;  ///< one that crosses, or crosses the next such cell
     };
     double cell = 0.0, cells_per_metre = 0.0;  ///< length of an edge, metres
     std::array<int, 3> count{};                ///< of cells
@@ -105,7 +100,7 @@ class Solid {
   struct Whereabouts {
     Grid::Side side = Grid::Side::kUnknown;
     double gap = 0.0;                  ///< metres to the surface, at least
-    const Grid::Cell* cell = nullptr;  ///< where a surface crosses it
+    const Grid::Cell* cell = nullptr;  ///< null beyond the box
   };
 
   static double squared_distance(const Vec3& low, const Vec3& high, const Vec3& point) {
@@ -138,15 +133,13 @@ class Solid {
     const std::array<int, 3> at = cell_of(point);
     const Grid::Cell& cell =
         grid_.cells[static_cast<size_t>((at[2] * grid_.count[1] + at[1]) * grid_.count[0] + at[0])];
-    return {cell.side, (std::max<int>(cell.gap, 1) - 1) * grid_.cell - kRounding, cell.gap == 0 ? &cell : nullptr};
+    return {cell.side, (std::max<int>(cell.gap, 1) - 1) * grid_.cell - kRounding, &cell};
   }
 
   static Part make_part(std::span<const glm::vec3> positions, std::span<const uint32_t> indices,
                         std::span<const uint32_t> triangles);
   static void divide(Part& part, uint32_t box, std::span<uint32_t> order);
-  /// `within_beside` for the parts whose box does not hold the point.
-  std::optional<NearestSurface> nearest(const Vec3& point, double within, double within_beside,
-                                        const Whereabouts& at) const;
+  std::optional<NearestSurface> nearest(const Vec3& point, double within, const Whereabouts& at) const;
   /// `guess` may be null: a triangle of the part that may be near.
   static std::optional<NearestSurface> nearest_of(const Part& part, const Vec3& point, double within,
                                                   const Triangle* guess);

@@ -3,33 +3,31 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 namespace auslan {
 namespace {
 
-constexpr size_t kDigitPoints = 20, kPalmPoints = 72, kArmPoints = 48;
+struct PointCounts {
+  size_t fine, coarse;
+};
+constexpr PointCounts kOfDigit{72, 14}, kOfPalm{240, 48}, kOfArm{120, 72};
+constexpr uint32_t kPiece = 10;  // points of a piece that is not divided
 
 double squared(const Vec3& v) {
   return glm::dot(v, v);
 }
 
 /// Each next point is the one farthest from all before it (Gonzalez 1985).
-SurfacePatch spread(const Mesh& mesh, size_t count) {
-  SurfacePatch patch;
+std::vector<Site> spread(const Mesh& mesh, size_t count) {
+  std::vector<Site> points;
   const size_t size = mesh.positions.size();
-  if (size == 0) return patch;
-  Vec3 low(mesh.positions[0]), high = low;
-  for (const glm::vec3& position : mesh.positions) {
-    low = glm::min(low, Vec3(position));
-    high = glm::max(high, Vec3(position));
-  }
-  patch.centre = 0.5 * (low + high);
   std::vector<double> distance(size, 1e9);
   size_t next = 0;
-  while (patch.points.size() < std::min(count, size)) {
+  while (points.size() < std::min(count, size)) {
     const Vec3 point(mesh.positions[next]);
-    patch.points.push_back({point, Vec3(mesh.normals[next])});
-    patch.radius = std::max(patch.radius, std::sqrt(squared(point - patch.centre)));
+    points.push_back({point, Vec3(mesh.normals[next])});
     size_t farthest = 0;
     for (size_t i = 0; i < size; ++i) {
       distance[i] = std::min(distance[i], squared(Vec3(mesh.positions[i]) - point));
@@ -37,50 +35,87 @@ SurfacePatch spread(const Mesh& mesh, size_t count) {
     }
     next = farthest;
   }
-  return patch;
+  return points;
+}
+
+/// A ball about the middle of the box round some points.
+SurfacePatch::Piece piece_of(std::span<const Site> points, uint32_t first, uint32_t count) {
+  SurfacePatch::Piece piece{Vec3(0.0), 0.0, first, count};
+  if (count == 0) return piece;
+  Vec3 low = points[first].position, high = low;
+  for (const Site& point : points.subspan(first, count)) {
+    low = glm::min(low, point.position);
+    high = glm::max(high, point.position);
+  }
+  piece.centre = 0.5 * (low + high);
+  for (const Site& point : points.subspan(first, count))
+    piece.radius = std::max(piece.radius, std::sqrt(squared(point.position - piece.centre)));
+  return piece;
+}
+
+void divide(SurfacePatch& patch, uint32_t first, uint32_t count) {
+  if (count <= kPiece) {
+    if (count > 0) patch.pieces.push_back(piece_of(patch.points, first, count));
+    return;
+  }
+  const auto begin = patch.points.begin() + first, end = begin + count;
+  Vec3 low = begin->position, high = low;
+  for (auto point = begin; point != end; ++point) {
+    low = glm::min(low, point->position);
+    high = glm::max(high, point->position);
+  }
+  const Vec3 extent = high - low;
+  const glm::length_t axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
+  std::stable_sort(begin, end, [axis](const Site& a, const Site& b) { return a.position[axis] < b.position[axis]; });
+  divide(patch, first, count / 2);
+  divide(patch, first + count / 2, count - count / 2);
 }
 
 }  // namespace
 
-BodySurface::BodySurface(const Figure& figure) : solids_(figure.segments.size()), patches_(figure.segments.size()) {
-  const auto take = [&](int node, size_t points) {
-    const Mesh& mesh = figure.segments[static_cast<size_t>(node)];
+BodySurface::BodySurface(const Figure& figure)
+    : fields_(figure.segments.size()), patches_(figure.segments.size()), coarse_patches_(figure.segments.size()) {
+  const auto take = [&](int node, const PointCounts& points) {
+    const auto index = static_cast<size_t>(node);
+    const Mesh& mesh = figure.segments[index];
     if (mesh.indices.empty()) return;
-    solids_[static_cast<size_t>(node)].emplace(mesh);
-    patches_[static_cast<size_t>(node)] = spread(mesh, points);
+    fields_[index].emplace(Solid(mesh));
+    const std::vector<Site> spread_out = spread(mesh, points.fine);
+    patches_[index] = in_pieces(spread_out);
+    const size_t few = std::min(points.coarse, spread_out.size());
+    coarse_patches_[index] = in_pieces({spread_out.begin(), spread_out.begin() + static_cast<std::ptrdiff_t>(few)});
   };
   for (const char* name : {"spine_base", "neck_base", "head_base"})
-    take(figure.skeleton.find(name), 0);
+    take(figure.skeleton.find(name), {0, 0});
   for (const Side side : {Side::kLeft, Side::kRight}) {
     const ArmNodes arm = arm_nodes(figure.skeleton, side);
-    take(arm.shoulder, kArmPoints);
-    take(arm.elbow, kArmPoints);
-    take(arm.wrist, kPalmPoints);
+    take(arm.shoulder, kOfArm);
+    take(arm.elbow, kOfArm);
+    take(arm.wrist, kOfPalm);
     for (const auto& digit : arm.digits)
       for (const int node : digit)
-        take(node, kDigitPoints);
+        take(node, kOfDigit);
   }
 }
 
-SurfacePatch balled(SurfacePatch patch) {
-  Vec3 sum(0.0);
-  for (const Site& point : patch.points)
-    sum += point.position;
-  patch.centre = patch.points.empty() ? sum : sum / static_cast<double>(patch.points.size());
-  double farthest = 0.0;
-  for (const Site& point : patch.points)
-    farthest = std::max(farthest, squared(point.position - patch.centre));
-  patch.radius = std::sqrt(farthest);
+SurfacePatch in_pieces(std::vector<Site> points) {
+  SurfacePatch patch;
+  patch.points = std::move(points);
+  const auto count = static_cast<uint32_t>(patch.points.size());
+  const SurfacePatch::Piece all = piece_of(patch.points, 0, count);
+  patch.centre = all.centre;
+  patch.radius = all.radius;
+  divide(patch, 0, count);
   return patch;
 }
 
 SurfacePatch placed(const SurfacePatch& patch, const Transform& place) {
-  SurfacePatch result;
+  SurfacePatch result = patch;
   result.centre = apply(place, patch.centre);
-  result.radius = patch.radius;
-  result.points.reserve(patch.points.size());
-  for (const Site& point : patch.points)
-    result.points.push_back({apply(place, point.position), place.rotation * point.normal});
+  for (Site& point : result.points)
+    point = {apply(place, point.position), place.rotation * point.normal};
+  for (SurfacePatch::Piece& piece : result.pieces)
+    piece.centre = apply(place, piece.centre);
   return result;
 }
 

@@ -17,6 +17,9 @@ namespace {
 constexpr int kIterations = 24;
 // Rounds without progress: while something is in the way or not yet touched, and else.
 constexpr int kPatience = 4, kBarePatience = 2;
+// After so many rounds a fit that costs so many times what it is to beat is given up.
+constexpr int kFewRounds = 4;
+constexpr double kFarOff = 1.5;
 constexpr double kProgress = 0.0003;  // metres
 constexpr double kFarthest = 0.06;    // from what is to be touched, metres
 // A turn of a radian counts as much as so many metres of shift.
@@ -107,7 +110,12 @@ double clear_by(const Vec3& world_centre, const SurfacePatch& patch, const Obsta
   const double reach = room + obstacle.radius;
   const double square = glm::dot(apart, apart);
   if (square > reach * reach) return std::sqrt(square) - reach;
-  return obstacle.solid->clearance(in_solid(patch.centre)) - room;
+  return obstacle.field->solid().clearance(in_solid(patch.centre)) - room;
+}
+
+/// How far a piece of a patch has to move at least for any of it to be deeper than `depth`; 0: not known.
+double clear_by(const SurfacePatch::Piece& piece, const Obstacle& obstacle, double depth, const Motion& in_solid) {
+  return obstacle.field->clear_of(in_solid(piece.centre), depth - piece.radius);
 }
 
 /// How far points of a hand may have gone in all while it moved by small steps.
@@ -140,9 +148,13 @@ class DeepPoints {
   DeepPoints(std::span<const SurfacePatch> hand, std::span<const Obstacle> obstacles)
       : hand_(hand), obstacles_(obstacles) {
     size_t points = 0;
-    for (const SurfacePatch& patch : hand)
+    size_t pieces = 0;
+    for (const SurfacePatch& patch : hand) {
       points += patch.points.size();
+      pieces += patch.pieces.size();
+    }
     of_patch_.resize(hand.size() * obstacles.size(), 0.0);
+    of_piece_.resize(pieces * obstacles.size(), 0.0);
     of_point_.resize(points * obstacles.size(), 0.0);
   }
 
@@ -151,13 +163,14 @@ class DeepPoints {
   void each(const Transform& wrist, const Deep& deep) {
     travel_.to(wrist);
     double* of_patch = of_patch_.data();
-    double* of_point = of_point_.data();
+    double *of_piece = of_piece_.data(), *of_point = of_point_.data();
     const Motion in_world(wrist);
     for (const SurfacePatch& patch : hand_) {
       const double gone = travel_.of(length(patch.centre) + patch.radius);
       const Vec3 centre = in_world(patch.centre);
       for (const Obstacle& obstacle : obstacles_) {
-        each_of(patch, centre, obstacle, wrist, gone, *of_patch++, of_point, deep);
+        each_of(patch, centre, obstacle, wrist, gone, *of_patch++, of_piece, of_point, deep);
+        of_piece += patch.pieces.size();
         of_point += patch.points.size();
       }
     }
@@ -167,30 +180,31 @@ class DeepPoints {
   /// `clear`: of how far the hand may have gone in all until something has to be looked at again.
   template <class Deep>
   static void each_of(const SurfacePatch& patch, const Vec3& centre, const Obstacle& obstacle, const Transform& wrist,
-                      double gone, double& clear, double* of_point, const Deep& deep) {
+                      double gone, double& clear, double* of_piece, double* of_point, const Deep& deep) {
     if (gone < clear) return;
     const Motion in_solid(solid_from(obstacle, wrist));
     clear = gone + clear_by(centre, patch, obstacle, in_solid);
     if (gone < clear) return;
-    for (size_t i = 0; i < patch.points.size(); ++i) {
-      if (gone < of_point[i]) continue;
-      const Vec3 point = in_solid(patch.points[i].position);
-      double above = obstacle.solid->clear_of(point, obstacle.allowed);
-      if (above > 0.0) {
+    for (const SurfacePatch::Piece& piece : patch.pieces) {
+      if (gone < *of_piece++) continue;
+      double above = clear_by(piece, obstacle, obstacle.allowed, in_solid);
+      of_piece[-1] = gone + above;
+      if (above > 0.0) continue;
+      for (size_t i = piece.first; i < size_t{piece.first} + piece.count; ++i) {
+        if (gone < of_point[i]) continue;
+        const Vec3 point = in_solid(patch.points[i].position);
+        const auto nearest = obstacle.field->below(point, obstacle.allowed, above);
         of_point[i] = gone + above;
-        continue;
+        if (nearest)
+          deep(patch.points[i].position, -nearest->distance - obstacle.allowed,
+               obstacle.world_from_solid.rotation * nearest->normal);
       }
-      const auto nearest = obstacle.solid->below(point, obstacle.allowed, &above);
-      of_point[i] = gone + above;
-      if (nearest)
-        deep(patch.points[i].position, -nearest->distance - obstacle.allowed,
-             obstacle.world_from_solid.rotation * nearest->normal);
     }
   }
 
   std::span<const SurfacePatch> hand_;
   std::span<const Obstacle> obstacles_;
-  std::vector<double> of_patch_, of_point_;
+  std::vector<double> of_patch_, of_piece_, of_point_;
   Travel travel_;
 };
 
@@ -246,8 +260,8 @@ class NearestTouch {
       const double reach = obstacle.radius + best.distance;
       if (best.distance <= 0.0 || glm::dot(apart, apart) > reach * reach) continue;
       const Quat& turn = obstacle.world_from_solid.rotation;
-      const auto nearest =
-          obstacle.solid->nearest(glm::conjugate(turn) * (world - obstacle.world_from_solid.position), best.distance);
+      const auto nearest = obstacle.field->solid().nearest(
+          glm::conjugate(turn) * (world - obstacle.world_from_solid.position), best.distance);
       if (nearest) consider(nearest->distance, turn * nearest->normal);
     }
     return best;
@@ -280,11 +294,14 @@ class Depths {
       });
     }
     if (!goal_.mirror) return;
+    const auto beyond = [&](const Vec3& point) {
+      return -apply(wrist, point).x * goal_.mirror->side - goal_.mirror->allowed;
+    };
     for (const SurfacePatch& patch : hand_) {
-      for (const Site& point : patch.points) {
-        const double depth = -apply(wrist, point.position).x * goal_.mirror->side - goal_.mirror->allowed;
-        if (depth > 0.0) deep(point.position, depth, Vec3(goal_.mirror->side, 0, 0));
-      }
+      if (beyond(patch.centre) + patch.radius <= 0.0) continue;
+      for (const Site& point : patch.points)
+        if (const double depth = beyond(point.position); depth > 0.0)
+          deep(point.position, depth, Vec3(goal_.mirror->side, 0, 0));
     }
   }
 
@@ -313,15 +330,16 @@ double way_out(const Transform& world_from_wrist, std::span<const SurfacePatch> 
   return gone;
 }
 
-Obstacle make_obstacle(const Solid& solid, const Transform& world_from_solid, double allowed, bool touched) {
-  Obstacle obstacle{&solid, world_from_solid, Vec3(0.0), 0.0, allowed, touched};
+Obstacle make_obstacle(const DistanceField& field, const Transform& world_from_solid, double allowed, bool touched) {
+  const Solid& solid = field.solid();
+  Obstacle obstacle{&field, world_from_solid, Vec3(0.0), 0.0, allowed, touched};
   obstacle.centre = apply(world_from_solid, 0.5 * (solid.low() + solid.high()));
   obstacle.radius = 0.5 * length(solid.high() - solid.low());
   return obstacle;
 }
 
 HandFit fit_hand(const Transform& world_from_wrist, double swivel, std::span<const SurfacePatch> hand,
-                 const HandFitGoal& goal, double missing) {
+                 const HandFitGoal& goal, double missing, double to_beat) {
   Transform wrist = world_from_wrist;
   HandFit best;
   double least = 1e9, excess = missing;
@@ -360,6 +378,7 @@ HandFit fit_hand(const Transform& world_from_wrist, double swivel, std::span<con
     }
     const int patience = least_trouble > kTrouble ? kPatience : kBarePatience;
     if (iteration == kIterations || cost < kGoodEnough || iteration - improved > patience) break;
+    if (iteration >= kFewRounds && least > kFarOff * to_beat) break;
 
     NormalEquations equations;
     for (const Deep& point : deep)
@@ -401,22 +420,24 @@ Depth depth_in(std::span<const PlacedPatch> points, std::span<const Obstacle> ob
   for (const PlacedPatch& placed : points) {
     const SurfacePatch& patch = *placed.patch;
     const Vec3 centre = apply(placed.place, patch.centre);
-    const size_t count = std::min(placed.count, patch.points.size());
     for (const Obstacle& obstacle : obstacles) {
       const double reach = patch.radius + obstacle.radius + std::max(0.0, -obstacle.allowed);
       const Vec3 apart = centre - obstacle.centre;
       if (glm::dot(apart, apart) > reach * reach) continue;
       const Motion in_solid(solid_from(obstacle, placed.place));
       if (clear_by(centre, patch, obstacle, in_solid) > 0.0) continue;
-      for (size_t i = 0; i < count; ++i) {
-        const Vec3 point = in_solid(patch.points[i].position);
-        if (obstacle.solid->clear_of(point, obstacle.allowed + worst.metres) > 0.0) continue;
-        const auto nearest = obstacle.solid->below(point, obstacle.allowed + worst.metres);
-        if (!nearest || -nearest->distance - obstacle.allowed <= worst.metres) continue;
-        worst.metres = -nearest->distance - obstacle.allowed;
-        worst.out = obstacle.world_from_solid.rotation * nearest->normal;
-        found = true;
-        if (worst.metres >= matter.enough) return worst;
+      for (const SurfacePatch::Piece& piece : patch.pieces) {
+        if (clear_by(piece, obstacle, obstacle.allowed + worst.metres, in_solid) > 0.0) continue;
+        for (size_t i = piece.first; i < size_t{piece.first} + piece.count; ++i) {
+          const Vec3 point = in_solid(patch.points[i].position);
+          double above = 0.0;
+          const auto nearest = obstacle.field->below(point, obstacle.allowed + worst.metres, above);
+          if (!nearest || -nearest->distance - obstacle.allowed <= worst.metres) continue;
+          worst.metres = -nearest->distance - obstacle.allowed;
+          worst.out = obstacle.world_from_solid.rotation * nearest->normal;
+          found = true;
+          if (worst.metres >= matter.enough) return worst;
+        }
       }
     }
   }

@@ -13,18 +13,18 @@
 namespace auslan {
 
 /// How deep what touches may press in, and how far off all else keeps, metres.
-inline constexpr double kPresses = 0.0012, kKeepsOff = 0.0015;
+inline constexpr double kPresses = 0.0002, kKeepsOff = 0.0015;
 
 /// What a hand may come near to.
 struct Obstacle {
-  const Solid* solid = nullptr;
+  const DistanceField* field = nullptr;
   Transform world_from_solid;
   Vec3 centre{0.0};      ///< of a ball that holds it, world
   double radius = 0.0;   ///< metres
   double allowed = 0.0;  ///< how deep below its surface; negative: the hand keeps away, metres
   bool touched = false;  ///< the contact is with this
 };
-Obstacle make_obstacle(const Solid& solid, const Transform& world_from_solid, double allowed, bool touched);
+Obstacle make_obstacle(const DistanceField& field, const Transform& world_from_solid, double allowed, bool touched);
 
 /// The plane x = 0, in which a hand meets its mirror image: nothing of it goes beyond.
 struct MirrorPlane {
@@ -64,9 +64,10 @@ struct HandFit {
 };
 
 /// Moves the wrist, and the elbow with it, as little as it takes. Total: what cannot be met is approached. `missing`:
-/// what admit() has returned for where it begins.
+/// what admit() has returned for where it begins. What is far from a cost below `to_beat` after a few rounds is given
+/// up.
 HandFit fit_hand(const Transform& world_from_wrist, double swivel, std::span<const SurfacePatch> hand,
-                 const HandFitGoal& goal, double missing = 0.0);
+                 const HandFitGoal& goal, double missing = 0.0, double to_beat = 1e9);
 
 /// How far a hand has to go along `way` (unit, world), turned as it is, until it is out of everything; metres. Total:
 /// what it does not get out of within `farthest` is left.

@@ -37,7 +37,8 @@ constexpr double kContactLean = 12.0 * kDegree;
 constexpr double kComesFrom = 0.03, kWell = 0.002;
 // What is no deeper or farther off than this is seen as touching; a hand that gets nowhere sets out from farther off.
 constexpr double kStillRight = 0.0025, kFarthestOut = 0.12;  // metres
-constexpr double kShiftCost = 1000.0, kLargestShift = 0.1;   // of a hand in the air; per square metre, metres
+constexpr double kTilt = 25.0 * kDegree;
+constexpr double kShiftCost = 1000.0, kLargestShift = 0.1;  // of a hand in the air; per square metre, metres
 
 /// The part that a hand touches with where the entry does not say: a pointing hand its tip, a broad one the palm when
 /// that faces the place, else the fingertips.
@@ -140,12 +141,11 @@ Signer::Signer(const Figure& figure, BodySites body, std::array<HandSites, 2> ha
   for (size_t side = 0; side < 2; ++side) {
     const ArmNodes& nodes = nodes_[side];
     parent_[side] = skeleton.rest_position(skeleton.node(nodes.shoulder).parent);
-    SurfacePatch& lower = lower_upper_arm_[side];
-    lower = surface_.patch(nodes.shoulder);
+    std::vector<Site> lower = surface_.patch(nodes.shoulder).points;
     const Vec3 bone = skeleton.node(nodes.elbow).offset;
-    std::erase_if(lower.points,
+    std::erase_if(lower,
                   [&](const Site& point) { return glm::dot(point.position, bone) < 0.6 * glm::dot(bone, bone); });
-    lower = balled(std::move(lower));
+    lower_upper_arm_[side] = in_pieces(std::move(lower));
   }
 }
 
@@ -335,11 +335,15 @@ void Signer::bring(Side side, const Meeting& meeting, const OtherHand& counterpa
       way = unit(
           apply(state.wrist, local.position) -
           apply(counterpart.state->wrist, hand(other(side)).site(HandPart::kPalm, counterpart.state->angles).position));
-    Transform free_of_all{wish.rotation, target - wish.rotation * local.position};
-    free_of_all.position += way_out(free_of_all, patches, goal, way, kFarthestOut) * way;
+    const auto out_of_all = [&](const Quat& rotation) {
+      Transform wrist{rotation, target - rotation * local.position};
+      wrist.position += way_out(wrist, patches, goal, way, kFarthestOut) * way;
+      return wrist;
+    };
+    const Transform free_of_all = out_of_all(wish.rotation);
     const auto from = [&](Transform wrist, double swivel) {
       const double missing = goal.admit(local.position, wrist, swivel);
-      const HandFit found = fit_hand(wrist, swivel, patches, goal, missing);
+      const HandFit found = fit_hand(wrist, swivel, patches, goal, missing, fit.cost);
       if (found.cost < fit.cost) fit = found;
     };
     from(free_of_all, state.swivel);
@@ -352,6 +356,11 @@ void Signer::bring(Side side, const Meeting& meeting, const OtherHand& counterpa
       from(free_of_all, state.swivel);
       if (is_bad(fit)) from(reached, swivel);
     }
+    // Tilted to either side, as far as a hand may lean.
+    const Vec3 across = unit(glm::cross(way, std::abs(way.y) < 0.7 ? Vec3(0.0, 1.0, 0.0) : Vec3(0.0, 0.0, 1.0)));
+    for (const Vec3& axis : {across, glm::cross(way, across)})
+      for (const double tilt : {kTilt, -kTilt})
+        if (is_bad(fit)) from(out_of_all(axis_angle(axis, tilt) * wish.rotation), state.swivel);
   }
   state.wrist = fit.wrist;
   state.swivel = fit.swivel;

@@ -21,9 +21,9 @@ std::vector<Obstacle> Signer::body_obstacles(bool touches) const {
   const Skeleton& skeleton = figure_->skeleton;
   for (const char* name : {"spine_base", "neck_base", "head_base"}) {
     const int node = skeleton.find(name);
-    if (const Solid* solid = surface_.solid(node))
+    if (const DistanceField* field = surface_.field(node))
       obstacles.push_back(
-          make_obstacle(*solid, {kIdentity, skeleton.rest_position(node)}, touches ? kPresses : -kKeepsOff, touches));
+          make_obstacle(*field, {kIdentity, skeleton.rest_position(node)}, touches ? kPresses : -kKeepsOff, touches));
   }
   return obstacles;
 }
@@ -34,7 +34,8 @@ void Signer::add_other_arm(Side other_side, const HandState& other, bool touches
   const ArmPlacement arm = place_arm(other_side, other);
   const double allowed = touches ? kPresses : -kKeepsOff;
   const auto add = [&](int node, const Transform& place) {
-    if (const Solid* solid = surface_.solid(node)) obstacles.push_back(make_obstacle(*solid, place, allowed, touches));
+    if (const DistanceField* field = surface_.field(node))
+      obstacles.push_back(make_obstacle(*field, place, allowed, touches));
   };
   add(nodes.shoulder, arm.shoulder);
   add(nodes.elbow, arm.elbow);
@@ -47,7 +48,8 @@ std::vector<Obstacle> Signer::hand_obstacles(Side side, const Transform& wrist, 
   const ArmNodes& nodes = nodes_[static_cast<size_t>(side)];
   std::vector<Obstacle> obstacles;
   const auto add = [&](int node, const Transform& place) {
-    if (const Solid* solid = surface_.solid(node)) obstacles.push_back(make_obstacle(*solid, place, allowed, touches));
+    if (const DistanceField* field = surface_.field(node))
+      obstacles.push_back(make_obstacle(*field, place, allowed, touches));
   };
   add(nodes.wrist, wrist);
   const auto digits = hand(side).digits(angles);
@@ -58,8 +60,8 @@ std::vector<Obstacle> Signer::hand_obstacles(Side side, const Transform& wrist, 
 }
 
 void Signer::add_forearm(Side side, const HandState& state, std::vector<Obstacle>& obstacles) const {
-  if (const Solid* solid = surface_.solid(nodes_[static_cast<size_t>(side)].elbow))
-    obstacles.push_back(make_obstacle(*solid, place_arm(side, state).elbow, -kKeepsOff, false));
+  if (const DistanceField* field = surface_.field(nodes_[static_cast<size_t>(side)].elbow))
+    obstacles.push_back(make_obstacle(*field, place_arm(side, state).elbow, -kKeepsOff, false));
 }
 
 std::vector<SurfacePatch> Signer::hand_patches(Side side, const HandAngles& angles) const {
@@ -79,14 +81,13 @@ std::array<PlacedPatch, 2> Signer::arm_patches(Side side, const HandState& state
 }
 
 std::array<PlacedPatch, 16> Signer::hand_points(Side side, const HandState& state) const {
-  constexpr size_t kFew = 6, kOfPalm = 18;
   const ArmNodes& nodes = nodes_[static_cast<size_t>(side)];
   std::array<PlacedPatch, 16> patches;
-  patches[0] = {&surface_.patch(nodes.wrist), state.wrist, kOfPalm};
+  patches[0] = {&surface_.coarse_patch(nodes.wrist), state.wrist};
   const auto digits = hand(side).digits(state.angles);
   for (size_t d = 0; d < 5; ++d)
     for (size_t j = 0; j < 3; ++j)
-      patches[1 + 3 * d + j] = {&surface_.patch(nodes.digits[d][j]), composed(state.wrist, digits[d][j]), kFew};
+      patches[1 + 3 * d + j] = {&surface_.coarse_patch(nodes.digits[d][j]), composed(state.wrist, digits[d][j])};
   return patches;
 }
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "kinematics/anatomy.h"
+#include "kinematics/distance_field.h"
 #include "kinematics/figure.h"
-#include "kinematics/solid.h"
 #include "synthesis/body_sites.h"
 
 #include <cstdint>
@@ -14,11 +14,18 @@
 
 namespace auslan {
 
-/// The points of one segment, and a ball that holds them; in the frame that the caller states.
+/// The points of one segment, a ball that holds them, and smaller ones round a few neighbours each; in the frame that
+/// the caller states.
 struct SurfacePatch {
+  struct Piece {
+    Vec3 centre{0.0};
+    double radius = 0.0;            ///< metres
+    uint32_t first = 0, count = 0;  ///< of the patch's points
+  };
   std::vector<Site> points;
   Vec3 centre{0.0};
   double radius = 0.0;  ///< metres
+  std::vector<Piece> pieces;
 };
 
 class BodySurface {
@@ -27,29 +34,30 @@ class BodySurface {
   explicit BodySurface(const Figure& figure);
 
   /// Nothing for a node without a surface.
-  const Solid* solid(int node) const {
-    const auto& solid = solids_[static_cast<size_t>(node)];
-    return solid ? &*solid : nullptr;
+  const DistanceField* field(int node) const {
+    const auto& field = fields_[static_cast<size_t>(node)];
+    return field ? &*field : nullptr;
   }
-  /// Spread as evenly as the mesh allows, as are the first few of them; node frame.
+  /// Spread as evenly as the mesh allows; node frame.
   const SurfacePatch& patch(int node) const { return patches_[static_cast<size_t>(node)]; }
+  /// The same with far fewer points, for what need not be told so closely.
+  const SurfacePatch& coarse_patch(int node) const { return coarse_patches_[static_cast<size_t>(node)]; }
 
  private:
-  std::vector<std::optional<Solid>> solids_;
-  std::vector<SurfacePatch> patches_;
+  std::vector<std::optional<DistanceField>> fields_;
+  std::vector<SurfacePatch> patches_, coarse_patches_;
 };
 
-/// The same points with a ball about their mean.
-SurfacePatch balled(SurfacePatch patch);
+/// Points in an order in which neighbours follow each other, and balls round them.
+SurfacePatch in_pieces(std::vector<Site> points);
 
 /// All points of a patch in the frame that `place` leads to.
 SurfacePatch placed(const SurfacePatch& patch, const Transform& place);
 
-/// The first `count` points of a patch, or all, where `place` leads to.
+/// A patch where `place` leads to.
 struct PlacedPatch {
   const SurfacePatch* patch = nullptr;
   Transform place;
-  size_t count = SIZE_MAX;
 };
 
 }  // namespace auslan
