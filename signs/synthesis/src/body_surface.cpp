@@ -12,7 +12,7 @@ namespace {
 struct PointCounts {
   size_t fine, coarse;
 };
-constexpr PointCounts kOfDigit{72, 14}, kOfPalm{240, 48}, kOfArm{120, 72};
+constexpr PointCounts kOfDigit{72, 14}, kOfPalm{240, 48}, kOfArm{300, 72};
 constexpr uint32_t kPiece = 10;  // points of a piece that is not divided
 
 double squared(const Vec3& v) {

@@ -68,7 +68,9 @@ class Choreographer {
   void append(size_t side, Tick until, HandSegment segment);
   /// On from where the hand is; `wanted` says where to and how the path is bent in any case, `approach` is the outward
   /// normal of what is touched there, else zero.
-  Way way_to(size_t side, HandSegment wanted, const Vec3& approach, const Meanwhile& meanwhile) const;
+  Way way_to(size_t side, HandSegment wanted, const Touch& approach, const Meanwhile& meanwhile) const;
+  /// Whether a hand makes again what it made last.
+  bool is_made_anew(size_t unit, size_t side) const;
   Way way_to_rest(size_t side, double forwards, const Meanwhile& meanwhile) const;
   /// Brings the base hand down while the other one goes on.
   void lower_left();
@@ -99,7 +101,7 @@ class Choreographer {
   Score score_;
   Tick now_ = 0;
   std::array<HandState, 2> hand_;
-  std::array<Vec3, 2> leave_{};
+  std::array<Touch, 2> leave_;
   std::array<bool, 2> raised_{};
   std::map<std::string, SignPerformance> letters_;                    ///< those that have been spelled, by gloss
   std::map<std::tuple<std::string, std::string, size_t>, Way> ways_;  ///< from letter to letter, of a hand
@@ -141,15 +143,15 @@ void Choreographer::append(size_t side, Tick until, HandSegment segment) {
   hand_[side] = segment.to;
 }
 
-Way Choreographer::way_to(size_t side, HandSegment wanted, const Vec3& approach, const Meanwhile& meanwhile) const {
+Way Choreographer::way_to(size_t side, HandSegment wanted, const Touch& approach, const Meanwhile& meanwhile) const {
   const auto hand = static_cast<Side>(side);
   wanted.from = hand_[side];
   // Away from what is left and towards what is met along their normals.
   const Vec3 apart = wanted.to.wrist.position - wanted.from.wrist.position;
   const double lift = lift_of(std::sqrt(glm::dot(apart, apart)));
   const TouchedSurfaces touched{leave_[side], approach};
-  wanted.leave = lift * touched.from;
-  wanted.approach = lift * touched.to;
+  wanted.leave = lift * touched.from.normal;
+  wanted.approach = lift * touched.to.normal;
   const auto with = [&](const std::optional<Quat>& turn_middle) {
     wanted.turn_middle = turn_middle;
     Way way = find_way(signer_, hand, wanted, touched, meanwhile);
@@ -173,7 +175,7 @@ Way Choreographer::way_to_rest(size_t side, double forwards, const Meanwhile& me
   HandSegment wanted;
   wanted.to = signer_.rest(static_cast<Side>(side));
   wanted.bulge = Vec3(0, 0, forwards);
-  return way_to(side, wanted, Vec3(0.0), meanwhile);
+  return way_to(side, wanted, {}, meanwhile);
 }
 
 void Choreographer::lower_left() {
@@ -188,6 +190,14 @@ void Choreographer::release_left(size_t unit) {
   // A hand that is met hangs, wherever it was before: a sign is the same after any other.
   const bool soon = utterance_.units[unit].spelled || (unit + 1 < utterance_.units.size() && uses_left(unit + 1));
   if (!soon || meets_left(unit)) lower_left();
+}
+
+bool Choreographer::is_made_anew(size_t unit, size_t side) const {
+  if (unit == 0 || !raised_[side]) return false;
+  const auto& sign = utterance_.units[unit].sign;
+  const auto& before = utterance_.units[unit - 1].sign;
+  if (!sign || !before || sign->gloss != before->gloss) return false;
+  return side == kRight || sign->handedness == Handedness::kSymmetric || sign->handedness == Handedness::kAlternating;
 }
 
 void Choreographer::transition(const SignPerformance& performance, size_t index) {
@@ -214,13 +224,20 @@ void Choreographer::transition(const SignPerformance& performance, size_t index)
       time = std::clamp(time, stroke::kShortestTransition, stroke::kLongestTransition);
       if (!raised_[side]) time = stroke::kFromRest;
     }
-    times[side] = time;
     const Vec3 way = to.wrist.position - hand_[side].wrist.position;
     const double distance = std::sqrt(glm::dot(way, way));
+    const bool anew = is_made_anew(index, side) && distance < 0.5 * stroke::kAnewWidth;
+    if (anew) time = std::max(time, stroke::kAnew);
+    times[side] = time;
     HandSegment wanted;
     wanted.to = to;
     // Clear of the body on long ways.
     wanted.bulge.z = std::max(0.0, 0.22 * (distance - 0.08));
+    if (anew) {
+      const Touch& touch = performance.approach[side];
+      const Vec3 outwards(side == kRight ? -1.0 : 1.0, 0.0, 0.0);
+      wanted.bulge = stroke::kAnewWidth * (touch.touches() ? touch.normal : outwards);
+    }
     wanted.digits_lead = unit.spelled ? 0.85 : 0.75;
     // The base hand goes its way, and the other one keeps clear of it.
     HandSegment left = ways[kLeft].segment;

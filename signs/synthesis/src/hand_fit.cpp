@@ -373,7 +373,7 @@ HandFit fit_hand(const Transform& world_from_wrist, double swivel, std::span<con
     if (cost < least - kProgress) improved = iteration;
     if (cost < least) {
       least = cost;
-      best = {wrist, swivel, touch.point, gap, deepest, cost};
+      best = {wrist, swivel, touch.point, touch.out, gap, deepest, cost};
       least_trouble = std::max({deepest, gap - kTouches, excess * kExcessLength});
     }
     const int patience = least_trouble > kTrouble ? kPatience : kBarePatience;

@@ -12,8 +12,9 @@
 
 namespace auslan {
 
-/// How deep what touches may press in, and how far off all else keeps, metres.
-inline constexpr double kPresses = 0.0002, kKeepsOff = 0.0015;
+/// How far off a surface the points of a hand are kept that touches it, and those of a hand or an arm that does not,
+/// metres: what lies between the points goes deeper than they do.
+inline constexpr double kTouchesWithin = 0.0012, kKeepsOff = 0.003;
 
 /// What a hand may come near to.
 struct Obstacle {
@@ -58,6 +59,7 @@ struct HandFit {
   Transform wrist;
   double swivel = 0.0;
   Vec3 touching{0.0};    ///< the point of the region that is nearest to what is touched, wrist frame
+  Vec3 normal{0.0};      ///< outwards, of what is touched there; zero: nothing is near
   double gap = 0.0;      ///< metres between them; negative: it presses in
   double deepest = 0.0;  ///< metres by which anything is deeper than allowed
   double cost = 0.0;     ///< of all that is not as wished, metres; contact counts twice, it is what is read

@@ -91,19 +91,24 @@ void oscillate(const Oscillation& oscillation, double tau, HandState& state) {
     // Towards the fist, and no farther: a joint with less room moves less instead of stopping short.
     const double closing = fade * 0.5 * (1.0 - cosine(angle));
     for (DigitAngles& finger : state.angles.fingers) {
-      finger.mcp += closing * std::clamp(95 * kDegree - finger.mcp, 0.0, oscillation.flex);
+      finger.mcp += closing * std::clamp(90 * kDegree - finger.mcp, 0.0, oscillation.flex);
       finger.pip += closing * std::clamp(105 * kDegree - finger.pip, 0.0, oscillation.flex);
     }
   }
   if (oscillation.wiggle != 0) {
-    if ((oscillation.wiggling & 1U) != 0) {
+    if ((oscillation.wiggling & 1U) != 0 && oscillation.wiggle > 0) {
       const double bend = fade * (0.5 - 0.5 * cosine(angle)) * oscillation.wiggle;
       state.angles.thumb.mp += 0.6 * bend;
       state.angles.thumb.ip += bend;
     }
     for (size_t i = 0; i < 4; ++i) {
       if ((oscillation.wiggling & (2U << i)) == 0) continue;
-      const double finger = fade * sine(angle + 0.5 * kPi * static_cast<double>(i)) * oscillation.wiggle;
+      const double of_finger = angle + 0.5 * kPi * static_cast<double>(i);
+      if (oscillation.wiggle < 0) {
+        state.angles.fingers[i].mcp += fade * (0.5 - 0.5 * cosine(of_finger)) * oscillation.wiggle;
+        continue;
+      }
+      const double finger = fade * sine(of_finger) * oscillation.wiggle;
       state.angles.fingers[i].mcp += 0.6 * finger + 0.4 * oscillation.wiggle * fade;
       state.angles.fingers[i].pip += 0.4 * finger + 0.4 * oscillation.wiggle * fade;
     }

@@ -92,6 +92,19 @@ Vec3 across(const Vec3& axis, const Vec3& wish) {
   return unit(second, Vec3(0, 0, 1));
 }
 
+Touch touch(const PlacedHand& hand) {
+  if (!hand.touching) return {};
+  return {hand.normal, hand.part, is_on_other_hand(hand.location)};
+}
+
+Touch mirror(const Touch& touch) {
+  return {mirror(touch.normal), mirror(touch.part), touch.on_other};
+}
+
+TouchedSurfaces mirror(const TouchedSurfaces& touched) {
+  return {mirror(touched.from), mirror(touched.to)};
+}
+
 /// Where a straight way would leave or meet a surface at a slant, it does so along the normal instead. What slides over
 /// a surface stays on it.
 void stand_off(const TouchedSurfaces& touched, HandSegment& segment) {
@@ -99,10 +112,10 @@ void stand_off(const TouchedSurfaces& touched, HandSegment& segment) {
   const Vec3 way = segment.to.wrist.position - segment.from.wrist.position;
   const double distance = std::sqrt(glm::dot(way, way));
   if (distance < 1e-3 || touched.slides()) return;
-  if (touched.from != Vec3(0.0) && glm::dot(way, touched.from) < kSteep * distance)
-    segment.leave = lift_of(distance) * touched.from;
-  if (touched.to != Vec3(0.0) && -glm::dot(way, touched.to) < kSteep * distance)
-    segment.approach = lift_of(distance) * touched.to;
+  if (touched.from.touches() && glm::dot(way, touched.from.normal) < kSteep * distance)
+    segment.leave = lift_of(distance) * touched.from.normal;
+  if (touched.to.touches() && -glm::dot(way, touched.to.normal) < kSteep * distance)
+    segment.approach = lift_of(distance) * touched.to.normal;
 }
 
 /// Lays one sign out for its dominant hand, and for the other as the relation of the hands asks.
@@ -271,7 +284,7 @@ Oscillation SignBuilder::oscillation_of(const Movement& movement, size_t side, s
       break;
     }
     case MoveKind::kWiggle:
-      oscillation.wiggle = 0.35;
+      oscillation.wiggle = hand.touching && glm::dot(palm, hand.normal) < -0.3 ? -0.35 : 0.35;
       oscillation.cycles = 1.5 * oscillation.cycles;
       if (!movement.digits.empty()) {
         oscillation.wiggling = 0;
@@ -343,11 +356,7 @@ bool SignBuilder::moves(const Movement& movement, size_t side) const {
 }
 
 TouchedSurfaces SignBuilder::surfaces(size_t side, size_t from, size_t to) const {
-  const auto normal = [&](size_t phase) {
-    const PlacedHand& hand = placed(side, phase);
-    return hand.touching ? hand.normal : Vec3(0.0);
-  };
-  return {normal(from), normal(to)};
+  return {touch(placed(side, from)), touch(placed(side, to))};
 }
 
 void SignBuilder::push(double seconds, bool hold, const std::array<HandSegment, 2>& hands, size_t from, size_t to) {
@@ -362,7 +371,7 @@ void SignBuilder::push(double seconds, bool hold, const std::array<HandSegment, 
   }
   if (mirrored_) {
     beat.hands[kLeft] = mirror(beat.hands[kRight]);
-    beat.surfaces[kLeft] = {mirror(beat.surfaces[kRight].from), mirror(beat.surfaces[kRight].to)};
+    beat.surfaces[kLeft] = mirror(beat.surfaces[kRight]);
     if (sign_.handedness == Handedness::kAlternating) {
       HandSegment& image = beat.hands[kLeft];
       image.oscillation.phase += 0.5;
@@ -375,8 +384,7 @@ void SignBuilder::push(double seconds, bool hold, const std::array<HandSegment, 
         image.from = mirrored(dominant_[last - from].state);
         image.to = mirrored(dominant_[last - to].state);
         image.bulge = -image.bulge;
-        const TouchedSurfaces there = surfaces(kRight, last - from, last - to);
-        beat.surfaces[kLeft] = {mirror(there.from), mirror(there.to)};
+        beat.surfaces[kLeft] = mirror(surfaces(kRight, last - from, last - to));
         image.leave = image.approach = Vec3(0.0);
         stand_off(beat.surfaces[kLeft], image);
       } else {
@@ -400,14 +408,15 @@ void SignBuilder::push(double seconds, bool hold, const std::array<HandSegment, 
 std::optional<HandTarget> SignBuilder::shown(const HandState& state, const std::vector<Posture>& postures,
                                              const std::vector<PlacedHand>& placed) const {
   for (size_t i = 0; i < placed.size(); ++i) {
-    const Transform& wrist = placed[i].state.wrist;
-    if (wrist.position != state.wrist.position || wrist.rotation != state.wrist.rotation) continue;
+    // A hand may change its shape where it is.
+    const HandState& there = placed[i].state;
+    if (there.wrist != state.wrist || there.angles != state.angles) continue;
     const Posture& posture = postures[std::min(i, postures.size() - 1)];
     HandTarget target;
     target.fingers = to_vector(posture.fingers);
     target.palm = to_vector(posture.palm);
-    target.reached = placed[i].state.wrist.rotation;
-    target.angles = placed[i].state.angles;
+    target.reached = there.wrist.rotation;
+    target.angles = there.angles;
     target.touches = placed[i].touching;
     target.stand_off = placed[i].stand_off;
     target.part = placed[i].part;
@@ -446,8 +455,10 @@ void SignBuilder::add_oscillation(const Movement& movement, size_t side, const O
   sum.shift += more.shift;
   sum.turn += more.turn;
   sum.turn_ahead += more.turn_ahead;
-  sum.wiggle = std::max(sum.wiggle, more.wiggle);
-  if (more.wiggle > 0) sum.wiggling = more.wiggling;
+  if (more.wiggle != 0) {
+    sum.wiggle = more.wiggle;
+    sum.wiggling = more.wiggling;
+  }
   sum.flex = std::max(sum.flex, more.flex);
   sum.cycles = std::max(sum.cycles, more.cycles);
   sum.growth = more.growth;
@@ -508,7 +519,7 @@ void SignBuilder::add_path(const Step& step) {
           if (waves && (path || !movement->direction) && movement->plane == Plane::kNone)
             more.shift = across(axis, movement->bow ? to_vector(*movement->bow) : Vec3(1, 0, 0)) *
                          (stroke::amplitude(movement->size) * 0.5);
-          if (waves || more.wiggle > 0) more.cycles = std::max(more.cycles, 2.0);
+          if (waves || more.wiggle != 0) more.cycles = std::max(more.cycles, 2.0);
           add_oscillation(*movement, side, more, hands);
           time = std::max(time, stroke::kCycle * more.cycles);
           break;
@@ -639,8 +650,8 @@ Result<SignPerformance> SignBuilder::build() {
   const Beat& first = result_.beats.front();
   result_.start = {first.hands[kLeft].from, first.hands[kRight].from};
   result_.start_target = shown(result_.start);
-  if (dominant_.front().touching) result_.approach[kRight] = dominant_.front().normal;
-  if (dominant_[current].touching) result_.leave[kRight] = dominant_[current].normal;
+  result_.approach[kRight] = touch(dominant_.front());
+  result_.leave[kRight] = touch(dominant_[current]);
   if (mirrored_) {
     result_.approach[kLeft] = mirror(result_.approach[kRight]);
     result_.leave[kLeft] = mirror(result_.leave[kRight]);

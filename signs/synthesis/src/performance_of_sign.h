@@ -27,8 +27,7 @@ struct SignPerformance {
   std::array<bool, 2> active{};                           ///< by Side
   std::array<HandState, 2> start;                         ///< where the transition into the sign ends
   std::array<std::optional<HandTarget>, 2> start_target;  ///< what the hand shows there
-  std::array<Vec3, 2> approach{};                         ///< outward normal of what is touched at the start, else zero
-  std::array<Vec3, 2> leave{};                            ///< the same at the end
+  std::array<Touch, 2> approach, leave;                   ///< what is touched at the start and at the end
   std::vector<Beat> beats;
 };
 

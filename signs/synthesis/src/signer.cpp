@@ -31,12 +31,12 @@ constexpr double kEasySwivel = 45.0 * kDegree, kRaisedCost = 10.0;
 // a hand is fitted a lift by a tenth of the upper arm is as bad as three degrees of leaning.
 constexpr double kEasyHeight = 0.5, kHighElbowCost = 60.0, kHighElbowLean = 0.5;
 constexpr int kSwivels = 15;
-constexpr double kFreeLean = 2.0 * kDegree, kTrueLean = 20.0 * kDegree;
-constexpr double kLeanCost = 36.0, kFarLeanCost = 300.0, kExcessCost = 2000.0, kOffCost = 1e4, kDepthCost = 1e5;
+constexpr double kFreeLean = 2.0 * kDegree, kTrueLean = 18.0 * kDegree;
+constexpr double kLeanCost = 36.0, kFarLeanCost = 600.0, kExcessCost = 2000.0, kOffCost = 1e4, kDepthCost = 1e5, kAnyDepthCost = 300.0;
 constexpr double kContactLean = 12.0 * kDegree;
 constexpr double kComesFrom = 0.03, kWell = 0.002;
 // What is no deeper or farther off than this is seen as touching; a hand that gets nowhere sets out from farther off.
-constexpr double kStillRight = 0.0025, kFarthestOut = 0.12;  // metres
+constexpr double kStillRight = 0.0028, kFarthestOut = 0.12;  // metres
 constexpr double kTilt = 25.0 * kDegree;
 constexpr double kShiftCost = 1000.0, kLargestShift = 0.1;  // of a hand in the air; per square metre, metres
 
@@ -255,15 +255,22 @@ void Signer::bring(Side side, const Meeting& meeting, const OtherHand& counterpa
   const bool touches_other = placed.touching && meets_hand;
   const bool meets_other = counterpart.state != nullptr && !counterpart.mirrored && (meets_hand || counterpart.acts);
   if (meets_other) add_other_arm(other(side), *counterpart.state, touches_other, obstacles);
+  // Whatever the hand touches, the arm keeps off; unless it is the wrist that touches.
+  std::vector<Obstacle> of_arm = obstacles;
+  if (meeting.part != HandPart::kWrist)
+    for (Obstacle& obstacle : of_arm)
+      obstacle.allowed = -kKeepsOff;
   const double outside = side == Side::kRight ? -1.0 : 1.0;
   std::optional<MirrorPlane> mirror;
   if (counterpart.mirrored && site.position.x * outside > -0.01)
-    mirror = MirrorPlane{outside, touches_other ? kPresses / 2.0 : -kKeepsOff, touches_other};
+    mirror = MirrorPlane{outside, -(touches_other ? 0.5 * kTouchesWithin : kKeepsOff), touches_other};
 
   // Who reaches across to the other arm lifts the elbow.
-  Wish wish{state.wrist.rotation, local.position, site.position, !meeting.contact && !counterpart.shift, on_arm};
+  const double mirrored_at = mirror ? outside : 0.0;
+  Wish wish{state.wrist.rotation, local.position, site.position, !meeting.contact && !counterpart.shift, on_arm,
+            mirrored_at};
   if (!meeting.contact && counterpart.shift) wish.target += *counterpart.shift;
-  placed.shift = settle(side, wish, obstacles, state);
+  placed.shift = settle(side, wish, of_arm, state);
   const Vec3 target = wish.target + placed.shift;
   if (counterpart.shift) placed.shift = *counterpart.shift;
   const std::vector<SurfacePatch> patches = hand_patches(side, state.angles);
@@ -284,7 +291,7 @@ void Signer::bring(Side side, const Meeting& meeting, const OtherHand& counterpa
       trial.wrist = {reached.wrist.rotation, reached.wrist.position + parent};
       trial.swivel = trial_swivel;
       const double too_deep = 1.001 * (enough - of_limits) / 25.0;
-      double deepest = depth_in(arm_patches(side, trial), obstacles, {0.0, too_deep}).metres;
+      double deepest = arm_depth(side, trial, of_arm, mirrored_at, too_deep);
       if (meets_other && deepest < too_deep) {
         std::vector<Obstacle> forearm;
         add_forearm(side, trial, forearm);
@@ -316,7 +323,7 @@ void Signer::bring(Side side, const Meeting& meeting, const OtherHand& counterpa
   std::vector<Obstacle> own;
   if (meets_other) {
     met = hand_patches(other(side), counterpart.state->angles);
-    own = hand_obstacles(side, {}, state.angles, touches_other ? kPresses : -kKeepsOff, false);
+    own = hand_obstacles(side, {}, state.angles, -(touches_other ? kTouchesWithin : kKeepsOff), false);
     goal.met = MetHand{counterpart.state->wrist, met, own};
   }
   Transform outside_it = state.wrist;
@@ -364,7 +371,10 @@ void Signer::bring(Side side, const Meeting& meeting, const OtherHand& counterpa
   }
   state.wrist = fit.wrist;
   state.swivel = fit.swivel;
-  if (placed.touching) placed.part = fit.touching;
+  if (placed.touching) {
+    placed.part = fit.touching;
+    if (fit.gap < kStillRight && fit.normal != Vec3(0.0)) placed.normal = fit.normal;
+  }
 }
 
 Vec3 Signer::settle(Side side, const Wish& wish, std::span<const Obstacle> obstacles, HandState& state) const {
@@ -396,9 +406,9 @@ Vec3 Signer::settle(Side side, const Wish& wish, std::span<const Obstacle> obsta
     HandState trial = state;
     trial.wrist = candidate.wrist;
     trial.swivel = candidate.swivel;
-    const double too_deep = 1.001 * std::sqrt((enough - candidate.cost) / kDepthCost);
-    const double depth = depth_in(arm_patches(side, trial), obstacles, {0.0, too_deep}).metres;
-    candidate.cost += kDepthCost * depth * depth;
+    const double too_deep = 1.001 * std::min(std::sqrt((enough - candidate.cost) / kDepthCost), (enough - candidate.cost) / kAnyDepthCost);
+    const double depth = arm_depth(side, trial, obstacles, wish.mirrored_at, too_deep);
+    candidate.cost += kDepthCost * depth * depth + kAnyDepthCost * depth;
     return candidate;
   };
   const auto best_for = [&](const Vec3& shift, double enough) {
@@ -458,6 +468,21 @@ Vec3 Signer::settle(Side side, const Wish& wish, std::span<const Obstacle> obsta
   state.wrist = best.wrist;
   state.swivel = best.swivel;
   return shift;
+}
+
+double Signer::arm_depth(Side side, const HandState& state, std::span<const Obstacle> obstacles, double mirrored_at,
+                         double enough) const {
+  const std::array<PlacedPatch, 2> arm = arm_patches(side, state);
+  double deepest = 0.0;
+  if (mirrored_at != 0.0) {
+    for (const PlacedPatch& part : arm) {
+      const auto beyond = [&](const Vec3& point) { return kKeepsOff - mirrored_at * apply(part.place, point).x; };
+      if (beyond(part.patch->centre) + part.patch->radius <= deepest) continue;
+      for (const Site& point : part.patch->points)
+        deepest = std::max(deepest, beyond(point.position));
+    }
+  }
+  return deepest >= enough ? deepest : depth_in(arm, obstacles, {deepest, enough}).metres;
 }
 
 double Signer::elbow_height(Side side, const ArmSolution& arm) const {

@@ -22,8 +22,8 @@ std::vector<Obstacle> Signer::body_obstacles(bool touches) const {
   for (const char* name : {"spine_base", "neck_base", "head_base"}) {
     const int node = skeleton.find(name);
     if (const DistanceField* field = surface_.field(node))
-      obstacles.push_back(
-          make_obstacle(*field, {kIdentity, skeleton.rest_position(node)}, touches ? kPresses : -kKeepsOff, touches));
+      obstacles.push_back(make_obstacle(*field, {kIdentity, skeleton.rest_position(node)},
+                                        -(touches ? kTouchesWithin : kKeepsOff), touches));
   }
   return obstacles;
 }
@@ -32,7 +32,7 @@ void Signer::add_other_arm(Side other_side, const HandState& other, bool touches
                            std::vector<Obstacle>& obstacles) const {
   const ArmNodes& nodes = nodes_[static_cast<size_t>(other_side)];
   const ArmPlacement arm = place_arm(other_side, other);
-  const double allowed = touches ? kPresses : -kKeepsOff;
+  const double allowed = -(touches ? kTouchesWithin : kKeepsOff);
   const auto add = [&](int node, const Transform& place) {
     if (const DistanceField* field = surface_.field(node))
       obstacles.push_back(make_obstacle(*field, place, allowed, touches));

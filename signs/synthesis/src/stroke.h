@@ -20,12 +20,15 @@ inline constexpr double kLeastLetterHold = 0.12;
 inline constexpr double kRestHold = 0.30;  ///< after a movement that is written with a rest
 inline constexpr double kShortestTransition = 0.15;
 inline constexpr double kLongestTransition = 0.45;
-inline constexpr double kTurnOfCircle = 0.28;      ///< once round
-inline constexpr double kCycle = 0.17;             ///< of a shake, a twist, a nod
-inline constexpr double kFromRest = 0.50;          ///< raising the hands at the start, lowering them at the end
-inline constexpr double kAnticipation = 0.10;      ///< by which the base hand sets out before it has to
-inline constexpr double kFinalLengthening = 0.12;  ///< of the last sign of a phrase, as a share of it
-inline constexpr double kSentencePause = 0.4;      ///< a pause at least this long ends a sentence
+// A letter or number that is made twice is made anew, as a small movement to the side or a contact made again; else the
+// two look like one that is held.
+inline constexpr double kAnew = 0.26, kAnewWidth = 0.035;  ///< seconds at least, metres
+inline constexpr double kTurnOfCircle = 0.28;              ///< once round
+inline constexpr double kCycle = 0.17;                     ///< of a shake, a twist, a nod
+inline constexpr double kFromRest = 0.50;                  ///< raising the hands at the start, lowering them at the end
+inline constexpr double kAnticipation = 0.10;              ///< by which the base hand sets out before it has to
+inline constexpr double kFinalLengthening = 0.12;          ///< of the last sign of a phrase, as a share of it
+inline constexpr double kSentencePause = 0.4;              ///< a pause at least this long ends a sentence
 inline constexpr double kQuestionHold = 0.24;
 inline constexpr double kShortestViseme = 0.055;  ///< lips that go through more shapes than that show none of them
 inline constexpr double kMouthingReach = 0.10;    ///< by which the lips move before and after their sign

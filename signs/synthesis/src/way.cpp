@@ -15,7 +15,7 @@ namespace {
 // only.
 constexpr int kSamples = 12;
 // Depths count from a little above the surface.
-constexpr double kTolerated = 0.0025, kRoom = 0.003;  // metres
+constexpr double kTolerated = 0.001, kRoom = 0.003;  // metres
 // That a path is bent at most, metres, and as a share of its length.
 constexpr double kFarthest = 0.04, kFartherByLength = 0.6;
 // Of an arm's length: beyond it an elbow that goes straight turns faster than any elbow.
@@ -95,9 +95,41 @@ void keep_in_reach(const Journey& journey) {
   }
 }
 
+/// Makes the touching part come within about 40 degrees of the normal at last, with the least change of the path: how
+/// the hand turns and how the path is bent count as much as where the wrist comes from.
+void come_along_normal(const Journey& journey) {
+  constexpr double kLast = 0.81;  // share of the time after which a twentieth of the way is left
+  constexpr double kSlope = 0.8;  // of what goes along the surface to what goes towards it
+  constexpr double kMost = 0.06;  // metres
+  const Touch& touch = journey.touched.to;
+  HandSegment& segment = journey.segment;
+  if (!touch.touches() || journey.touched.slides()) return;
+  // As the other hand sees it, where that is what is touched.
+  const bool seen_by_other = touch.on_other && journey.meanwhile.other != nullptr;
+  const auto part_at = [&](double share) {
+    const Vec3 point = apply(state_after(segment, share).wrist, touch.part);
+    if (!seen_by_other) return point;
+    const Transform then = journey.other_at(share).wrist, last = journey.other_at(1.0).wrist;
+    return apply(last, glm::conjugate(then.rotation) * (point - then.position));
+  };
+  const Vec3 way = part_at(1.0) - part_at(kLast);
+  const double towards = -glm::dot(way, touch.normal);
+  const Vec3 aside = way + touch.normal * towards;
+  const double slant = std::sqrt(glm::dot(aside, aside));
+  const double missing = slant - kSlope * towards;
+  if (missing <= 0.0) return;
+  const double s = minimum_jerk(kLast);
+  const double each = missing / (6.75 * s * s * (1.0 - s) * (1.0 + kSlope * kSlope));
+  Vec3 more = each * (kSlope * touch.normal + unit(aside));
+  const double length = std::sqrt(glm::dot(more, more));
+  if (length > kMost) more *= kMost / length;
+  segment.approach += more;
+}
+
 /// Returns how deep the hand still goes, metres; 0 where that is too little to count.
 double bend_out(const Journey& journey) {
   constexpr int kRounds = 5;
+  come_along_normal(journey);
   const double from_depth = journey.depth(0).depth.metres, to_depth = journey.depth(journey.samples).depth.metres;
   HandSegment& segment = journey.segment;
   const Vec3 path = segment.to.wrist.position - segment.from.wrist.position;
@@ -122,8 +154,10 @@ double bend_out(const Journey& journey) {
     // Round the body forwards, not round its back, to which it may be nearer.
     const double x = state_after(segment, share).wrist.position.x;
     const double beside = std::clamp(x / 0.2, -1.0, 1.0);
-    const Vec3& nearer = s < 0.5 ? journey.touched.from : journey.touched.to;
-    const Vec3& along = nearer != Vec3(0.0) ? nearer : s < 0.5 ? journey.touched.to : journey.touched.from;
+    const Vec3& nearer = s < 0.5 ? journey.touched.from.normal : journey.touched.to.normal;
+    const Vec3& along = nearer != Vec3(0.0) ? nearer
+                        : s < 0.5           ? journey.touched.to.normal
+                                            : journey.touched.from.normal;
     Vec3 out = depth.out;
     // Between two things that push each other's way the hands part.
     if (!worst.found.in_body && glm::dot(out, before) < 0.0) out = journey.apart(share);
@@ -138,6 +172,7 @@ double bend_out(const Journey& journey) {
     const double length = std::sqrt(glm::dot(segment.bulge, segment.bulge));
     if (length > farthest) segment.bulge *= farthest / length;
     keep_in_reach(journey);
+    come_along_normal(journey);
   }
 }
 

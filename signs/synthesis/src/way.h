@@ -10,13 +10,23 @@
 
 namespace auslan {
 
-/// Outward normals, world, of what a hand touches where its way begins and ends; zero: nothing. It leaves and comes
-/// along them.
+/// What a hand touches.
+struct Touch {
+  Vec3 normal{0.0};       ///< outwards, world; zero: nothing is touched
+  Vec3 part{0.0};         ///< of the hand, in its wrist's frame
+  bool on_other = false;  ///< it is the other hand or its forearm
+
+  bool touches() const { return normal != Vec3(0.0); }
+
+  friend bool operator==(const Touch&, const Touch&) = default;
+};
+
+/// Where a way begins and ends. A hand leaves what it touches and comes to it along the normal.
 struct TouchedSurfaces {
-  Vec3 from{0.0}, to{0.0};
+  Touch from, to;
 
   /// From a place on a surface to another one: the hand stays on it.
-  bool slides() const { return glm::dot(from, to) > 0.5; }
+  bool slides() const { return glm::dot(from.normal, to.normal) > 0.5; }
 
   friend bool operator==(const TouchedSurfaces&, const TouchedSurfaces&) = default;
 };

@@ -43,7 +43,9 @@ struct Oscillation {
   Vec3 shift{0.0};       ///< metres
   Vec3 turn{0.0};        ///< rotation vector of the hand about the wrist, world axes, radians
   Vec3 turn_ahead{0.0};  ///< the same a quarter cycle ahead: with `turn` the hand stirs
-  double wiggle = 0;     ///< finger flexion at the knuckle, radians, each finger a quarter cycle after its neighbour
+  /// Finger flexion at the knuckle, radians, each finger a quarter cycle after its neighbour; negative: they are only
+  /// lifted off what they touch.
+  double wiggle = 0;
   unsigned wiggling = 0x1E;  ///< which digits wiggle: bit 0 the thumb, bit 1 the index …
   double flex = 0;           ///< flexion of all finger joints together, radians, one-sided (closing only)
   double cycles = 0;

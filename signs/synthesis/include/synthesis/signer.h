@@ -104,6 +104,7 @@ class Signer {
     Vec3 pivot{0.0}, target{0.0};  ///< the part of the hand (wrist frame), and where it is to be
     bool free = false;             ///< in the air: the place may give way to the direction
     bool lifts = false;            ///< the elbow may be high
+    double mirrored_at = 0.0;      ///< the sign of x on which the arm stays, its image on the other; 0: no matter
   };
 
   /// What of a hand is to come where.
@@ -120,6 +121,10 @@ class Signer {
   /// The elbow's place and the hand's lean for which the limits of the arm and the room for the forearm ask. Returns by
   /// how much the place gave way, metres.
   Vec3 settle(Side side, const Wish& wish, std::span<const Obstacle> obstacles, HandState& state) const;
+  /// How deep forearm and elbow are in something, or beyond the plane between an arm and its image, metres; once it is
+  /// `enough`, nothing deeper is looked for.
+  double arm_depth(Side side, const HandState& state, std::span<const Obstacle> obstacles, double mirrored_at,
+                   double enough) const;
   /// How high the elbow is lifted, of the upper arm's length: 0 up to 30 degrees below the level, half at the level.
   double elbow_height(Side side, const ArmSolution& arm) const;
   Depth coarse_depth(Side side, const HandState& state, std::span<const Obstacle> obstacles, double at_least) const;
