@@ -36,11 +36,21 @@ class Reach {
             limit_violation(skeleton_, nodes.elbow, arm.elbow) + limit_violation(skeleton_, nodes.wrist, arm.wrist)) /
            kDegree;
   }
-  /// The least strain over all swivels, ended early where there is none.
+  /// Whether forearm and elbow are in head or trunk.
+  bool is_in_body(Side side, const Transform& wrist, double swivel) const {
+    constexpr double kKeptOff = 0.003;  // metres; depths are counted from there
+    HandState state = signer_.rest(side);
+    state.wrist = wrist;
+    state.swivel = swivel;
+    return signer_.forearm_depth(side, state, kKeptOff, 1.0).metres > kKeptOff;
+  }
+  /// The least strain over all swivels at which the arm is in nothing, ended early where there is none.
   double least_strain(Side side, const Transform& wrist, double step) const {
     double least = 1e9;
-    for (double swivel = -90.0; swivel <= 180.0 && least > kInLimits; swivel += step)
-      if (const auto found = strain(side, wrist, swivel * kDegree)) least = std::min(least, *found);
+    for (double swivel = -90.0; swivel <= 180.0 && least > kInLimits; swivel += step) {
+      const auto found = strain(side, wrist, swivel * kDegree);
+      if (found && *found < least && !is_in_body(side, wrist, swivel * kDegree)) least = *found;
+    }
     return least;
   }
   /// The least strain with a hand's part at a place, leaning by no more than may be.

@@ -214,10 +214,8 @@ void Judge::at_targets() {
 void Judge::posture(Side side, const HandTarget& target) {
   const ArmNodes& arm = arms_[static_cast<size_t>(side)];
   const HandFrame& frame = signer_.hand_frame(side);
-  // What carries the hand may turn: the trunk, or the head whose face it touches or is near.
-  const bool with_head = is_on_head(target.location) && (target.touches || target.stand_off > 0.0);
-  const int carrier = skeleton_.find(with_head ? "head_base" : "spine_base");
-  const Quat turned = glm::conjugate(placed(carrier).rotation) * placed(arm.wrist).rotation;
+  // What the trunk's turn does to directions is not the hand's fault.
+  const Quat turned = glm::conjugate(placed(skeleton_.find("spine_base")).rotation) * placed(arm.wrist).rotation;
   for (const Vec3& axis : {frame.fingers, frame.palm})
     note(Measure::kDirection, degrees_between(turned * axis, target.reached * axis), target.end,
          name(arm.wrist) + (axis == frame.fingers ? " fingers" : " palm"));

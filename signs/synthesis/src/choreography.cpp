@@ -241,14 +241,20 @@ void Choreographer::transition(const SignPerformance& performance, size_t index)
     wanted.digits_lead = unit.spelled ? 0.85 : 0.75;
     // The base hand goes its way, and the other one keeps clear of it.
     HandSegment left = ways[kLeft].segment;
-    if (!performance.active[kLeft]) left.from = left.to = hand_[kLeft];
     Meanwhile meanwhile;
-    if (side == kRight && (performance.active[kLeft] || raised_[kLeft])) {
+    if (side == kRight && performance.active[kLeft]) {
+      const auto [ready, until] = spans(scaled(time), paced(times[kLeft], ways[kLeft].seconds));
+      meanwhile = {&left, static_cast<double>(now_ - ready) / static_cast<double>(until - ready), 1.0};
+    } else if (side == kRight && laid_out(kLeft) > now_) {
+      // It is being lowered.
+      left = score_.hands[kLeft].back();
+      const auto share = [&left](Tick at) {
+        return static_cast<double>(at - left.begin) / static_cast<double>(left.end - left.begin);
+      };
+      meanwhile = {&left, share(now_), share(now_ + scaled(time))};
+    } else if (side == kRight && raised_[kLeft]) {
+      left.from = left.to = hand_[kLeft];
       meanwhile.other = &left;
-      if (performance.active[kLeft]) {
-        const auto [ready, until] = spans(scaled(time), paced(times[kLeft], ways[kLeft].seconds));
-        meanwhile.share = static_cast<double>(until - now_) / static_cast<double>(until - ready);
-      }
     }
     // From letter to letter the way is the same each time.
     const bool between_letters = unit.spelled && !last_letter_.empty() && raised_[kLeft] && performance.active[kLeft];
@@ -301,7 +307,6 @@ void Choreographer::add_beats(const SignPerformance& performance, const Unit& un
       const auto hand = static_cast<Side>(side);
       segments[side].turn_middle = turn_through_joints(signer_, hand, segments[side]);
       HandSegment left = segments[kLeft];
-      if (!performance.active[kLeft]) left.from = left.to = hand_[kLeft];
       keep_clear(signer_, hand, segments[side], beat.surfaces[side],
                  {side == kRight && performance.active[kLeft] ? &left : nullptr});
       least = std::max(least, shortest_seconds(signer_, hand, segments[side]));

@@ -175,6 +175,11 @@ HandState state_after(const HandSegment& segment, double tau) {
                                              : slerp(a.wrist.rotation, b.wrist.rotation, s);
   state.swivel = mix(a.swivel, b.swivel, s) + segment.swivel_bulge * (4.0 * s * (1.0 - s));
   state.follows_head = mix(a.follows_head, b.follows_head, s);
+  if (a.follows_head == 0.0) {
+    state.on_face = b.on_face;
+  } else {
+    state.on_face = b.follows_head == 0.0 ? a.on_face : a.on_face + (b.on_face - a.on_face) * s;
+  }
   state.angles = mix(a.angles, b.angles, minimum_jerk(tau / std::max(0.05, segment.digits_lead)));
   oscillate(segment.oscillation, tau, state);
   return state;
@@ -205,12 +210,12 @@ void Performance::sample_hand(Side side, Tick time, const Transform& trunk, cons
     if (segment == track.end()) --segment;
     state = state_at(*segment, time);
   }
-  // The hand goes where the body carries it: with the trunk, or with the head while it touches the face.
+  // The hand goes where the body carries it. While it touches the face it goes with the place that it touches, and stays
+  // turned as it is: an arm has no room for a nod at the end of its range.
   Transform wrist{trunk.rotation * state.wrist.rotation, apply(trunk, state.wrist.position)};
   if (state.follows_head > 0) {
-    const Vec3 with_head = apply(head, state.wrist.position);
-    wrist.position += (with_head - wrist.position) * state.follows_head;
-    wrist.rotation = slerp(wrist.rotation, head.rotation * state.wrist.rotation, state.follows_head);
+    const Vec3 part = apply(state.wrist, state.on_face);
+    wrist.position += (apply(head, part) - apply(trunk, part)) * state.follows_head;
   }
   const Skeleton& skeleton = signer_->figure().skeleton;
   const ArmNodes nodes = arm_nodes(skeleton, side);

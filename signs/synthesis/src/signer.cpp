@@ -32,11 +32,14 @@ constexpr double kEasySwivel = 45.0 * kDegree, kRaisedCost = 10.0;
 constexpr double kEasyHeight = 0.5, kHighElbowCost = 60.0, kHighElbowLean = 0.5;
 constexpr int kSwivels = 15;
 constexpr double kFreeLean = 2.0 * kDegree, kTrueLean = 18.0 * kDegree;
-constexpr double kLeanCost = 36.0, kFarLeanCost = 600.0, kExcessCost = 2000.0, kOffCost = 1e4, kDepthCost = 1e5, kAnyDepthCost = 300.0;
+constexpr double kLeanCost = 36.0, kFarLeanCost = 600.0, kExcessCost = 2000.0, kOffCost = 1e4, kDepthCost = 1e5,
+                 kAnyDepthCost = 300.0;
 constexpr double kContactLean = 12.0 * kDegree;
 constexpr double kComesFrom = 0.03, kWell = 0.002;
 // What is no deeper or farther off than this is seen as touching; a hand that gets nowhere sets out from farther off.
 constexpr double kStillRight = 0.0028, kFarthestOut = 0.12;  // metres
+// What costs more than this is not made right by tilting, metres.
+constexpr double kHopeless = 0.03;
 constexpr double kTilt = 25.0 * kDegree;
 constexpr double kShiftCost = 1000.0, kLargestShift = 0.1;  // of a hand in the air; per square metre, metres
 
@@ -126,6 +129,7 @@ HandState mirrored(const HandState& state) {
   const Quat& q = state.wrist.rotation;
   image.wrist.rotation = Quat(q.w, q.x, -q.y, -q.z);
   image.wrist.position.x = -state.wrist.position.x;
+  image.on_face.x = -state.on_face.x;
   return image;
 }
 
@@ -242,6 +246,7 @@ PlacedHand Signer::place(const Posture& posture, const Handshape& handshape, Sid
   state.follows_head = is_on_head(location) && (placed.touching || kind == ContactKind::kNear) ? 1.0 : 0.0;
 
   bring(side, {part, local, site, contact}, counterpart, placed);
+  if (state.follows_head > 0.0) state.on_face = placed.part;
   return placed;
 }
 
@@ -367,7 +372,7 @@ void Signer::bring(Side side, const Meeting& meeting, const OtherHand& counterpa
     const Vec3 across = unit(glm::cross(way, std::abs(way.y) < 0.7 ? Vec3(0.0, 1.0, 0.0) : Vec3(0.0, 0.0, 1.0)));
     for (const Vec3& axis : {across, glm::cross(way, across)})
       for (const double tilt : {kTilt, -kTilt})
-        if (is_bad(fit)) from(out_of_all(axis_angle(axis, tilt) * wish.rotation), state.swivel);
+        if (is_bad(fit) && fit.cost < kHopeless) from(out_of_all(axis_angle(axis, tilt) * wish.rotation), state.swivel);
   }
   state.wrist = fit.wrist;
   state.swivel = fit.swivel;
@@ -406,7 +411,8 @@ Vec3 Signer::settle(Side side, const Wish& wish, std::span<const Obstacle> obsta
     HandState trial = state;
     trial.wrist = candidate.wrist;
     trial.swivel = candidate.swivel;
-    const double too_deep = 1.001 * std::min(std::sqrt((enough - candidate.cost) / kDepthCost), (enough - candidate.cost) / kAnyDepthCost);
+    const double too_deep =
+        1.001 * std::min(std::sqrt((enough - candidate.cost) / kDepthCost), (enough - candidate.cost) / kAnyDepthCost);
     const double depth = arm_depth(side, trial, obstacles, wish.mirrored_at, too_deep);
     candidate.cost += kDepthCost * depth * depth + kAnyDepthCost * depth;
     return candidate;

@@ -31,7 +31,7 @@ struct Journey {
   int samples = kSamples;
 
   HandState other_at(double share) const {
-    return state_after(*meanwhile.other, 1.0 - (1.0 - share) * meanwhile.share);
+    return state_after(*meanwhile.other, std::clamp(meanwhile.from + (meanwhile.to - meanwhile.from) * share, 0.0, 1.0));
   }
   struct Found {
     Depth depth;

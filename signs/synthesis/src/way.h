@@ -34,7 +34,7 @@ struct TouchedSurfaces {
 /// What the other arm does while a hand goes its way.
 struct Meanwhile {
   const HandSegment* other = nullptr;  ///< null: nothing that matters
-  double share = 1.0;                  ///< of the other's time that the way takes; both end together
+  double from = 0.0, to = 1.0;         ///< where on its segment the other is as the way begins and ends, shares of time
 };
 
 /// By how much a way of this length stands off the surfaces at its ends, metres.

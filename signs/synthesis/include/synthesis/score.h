@@ -34,6 +34,7 @@ struct HandState {
   double swivel = 0;        ///< of the elbow, radians, as solve_arm takes it
   HandAngles angles;        ///< of the digits, radians
   double follows_head = 0;  ///< 1: the placement moves with the head (contact on the face), 0: with the trunk
+  Vec3 on_face{0.0};        ///< the part that moves with the head, in the wrist's frame
 
   friend bool operator==(const HandState&, const HandState&) = default;
 };
