@@ -4,6 +4,7 @@
 #include "kinematics/elementary.h"
 #include "kinematics/interpolate.h"
 #include "kinematics/rotation.h"
+#include "phonology/vocabulary.h"
 #include "shipped.h"
 #include "synthesis/choreography.h"
 #include "synthesis/joint_speed.h"
@@ -296,6 +297,47 @@ TEST(Movement, WhatIsMadeTwiceIsSeenTwice) {
     EXPECT_GT(farthest, 0.025) << gloss;
     EXPECT_EQ(way->to.wrist, way->from.wrist) << gloss;
   }
+}
+
+TEST(Movement, AHandOnTheFaceGoesWithItsPlaceAndStaysTurned) {
+  Utterance utterance = utterance_of({"THINK", "YOUNG", "DOCTOR", "MOTHER"});
+  const size_t signs = utterance.units.size();
+  NonManualSpan span;
+  span.kind = "yn";
+  span.to = static_cast<int>(signs) - 1;
+  span.head = "tilt-forward";
+  utterance.non_manual = {span};
+  const Score score = choreograph(*shipped().signer, utterance).value();
+  const Skeleton& skeleton = shipped().figure.skeleton;
+  const auto place = [&](const std::vector<Transform>& world, const char* node) {
+    return world[static_cast<size_t>(skeleton.find(node))];
+  };
+  std::vector<Transform> rest(static_cast<size_t>(skeleton.size())), world(rest.size());
+  forward(skeleton, rest_pose(skeleton), rest);
+  double most_tilted = 0.0;
+  int touching = 0;
+  for (const HandTarget& target : score.targets[static_cast<size_t>(Side::kRight)]) {
+    if (!target.touches || !is_on_head(target.location)) continue;
+    ++touching;
+    Pose pose;
+    Performance(*shipped().signer, score, still()).sample(target.end, pose);
+    forward(skeleton, pose, world);
+    const Transform head = place(world, "head_base"), was = place(rest, "head_base");
+    most_tilted = std::max(most_tilted, angle_between(head.rotation, kIdentity) / kDegree);
+    const Transform wrist = place(world, "wrist_r");
+    const Quat seen = glm::conjugate(place(world, "spine_base").rotation) * wrist.rotation;
+    EXPECT_LT(angle_between(seen, target.reached) / kDegree, 0.5);
+    // Where the part is on the head, and where it was put on the head at rest.
+    const auto& track = score.hands[static_cast<size_t>(Side::kRight)];
+    const auto segment =
+        std::find_if(track.begin(), track.end(), [&](const HandSegment& s) { return s.end >= target.end; });
+    ASSERT_NE(segment, track.end());
+    const Vec3 put = apply(state_at(*segment, target.end).wrist, target.part) - was.position;
+    const Vec3 on_head = glm::conjugate(head.rotation) * (apply(wrist, target.part) - head.position);
+    EXPECT_LT(length(on_head - put), 0.001);
+  }
+  EXPECT_GE(touching, 2);
+  EXPECT_GT(most_tilted, 3.0);
 }
 
 TEST(Movement, IdleLifeIsTheSeedsAndCanBeTurnedOff) {

@@ -210,8 +210,8 @@ void Performance::sample_hand(Side side, Tick time, const Transform& trunk, cons
     if (segment == track.end()) --segment;
     state = state_at(*segment, time);
   }
-  // The hand goes where the body carries it. While it touches the face it goes with the place that it touches, and stays
-  // turned as it is: an arm has no room for a nod at the end of its range.
+  // The hand goes where the body carries it. While it touches the face it goes with the place that it touches, and
+  // stays turned as it is: an arm has no room for a nod at the end of its range.
   Transform wrist{trunk.rotation * state.wrist.rotation, apply(trunk, state.wrist.position)};
   if (state.follows_head > 0) {
     const Vec3 part = apply(state.wrist, state.on_face);

@@ -22,8 +22,8 @@ constexpr double kPalmReach = 0.045;
 constexpr double kNearDistance = 0.015;
 
 // What an elbow's place costs. A hand leans freely by a little, then a degree costs as much as moving the elbow by six,
-// and more from where it is nearly half way to another of the 26 directions. Of a forearm in the body, 3 mm cost as
-// much as a radian of swivel.
+// and more from where it is nearly half way to another of the 26 directions. Of a forearm in the body, 2 mm cost as
+// much as a radian of swivel, and no depth is for nothing.
 constexpr double kPreferredSwivel = 25.0 * kDegree, kLowestSwivel = -60.0 * kDegree, kHighestSwivel = 150.0 * kDegree;
 // An elbow farther than this from where it likes to be is seen to be raised.
 constexpr double kEasySwivel = 45.0 * kDegree, kRaisedCost = 10.0;

@@ -31,7 +31,8 @@ struct Journey {
   int samples = kSamples;
 
   HandState other_at(double share) const {
-    return state_after(*meanwhile.other, std::clamp(meanwhile.from + (meanwhile.to - meanwhile.from) * share, 0.0, 1.0));
+    return state_after(*meanwhile.other,
+                       std::clamp(meanwhile.from + (meanwhile.to - meanwhile.from) * share, 0.0, 1.0));
   }
   struct Found {
     Depth depth;
