@@ -49,14 +49,19 @@ TEST(DistanceField, OfASphereItIsOffByWhatATangentPlaneIs) {
   EXPECT_GT(asked, 15000);
 }
 
-TEST(DistanceField, OutsideABoxNothingIsToldToBeFartherThanItIs) {
-  const Vec3 low(-0.02, -0.03, -0.05), high(0.03, 0.03, 0.04);
+const Vec3 kLow(-0.02, -0.03, -0.05), kHigh(0.03, 0.03, 0.04);
+
+DistanceField field_of_box() {
   Mesh mesh;
-  add_box(low, high, mesh);
-  const DistanceField field{Solid(mesh)};
+  add_box(kLow, kHigh, mesh);
+  return DistanceField(Solid(mesh));
+}
+
+TEST(DistanceField, OutsideABoxNothingIsToldToBeFartherThanItIs) {
+  const DistanceField field = field_of_box();
   int before_face = 0;
   for (const Vec3& p : points_within(0.08, 20000)) {
-    const double truth = box_distance(low, high, p);
+    const double truth = box_distance(kLow, kHigh, p);
     const double told = field.at(p).distance;
     // Both change by no more than the way from the cell's middle.
     ASSERT_NEAR(told, truth, 2.0 * kHalfDiagonal);
@@ -65,8 +70,8 @@ TEST(DistanceField, OutsideABoxNothingIsToldToBeFartherThanItIs) {
     int beyond = 0;
     double to_edge = 1.0;
     for (glm::length_t i = 0; i < 3; ++i) {
-      beyond += p[i] < low[i] || p[i] > high[i];
-      if (p[i] >= low[i] && p[i] <= high[i]) to_edge = std::min({to_edge, p[i] - low[i], high[i] - p[i]});
+      beyond += p[i] < kLow[i] || p[i] > kHigh[i];
+      if (p[i] >= kLow[i] && p[i] <= kHigh[i]) to_edge = std::min({to_edge, p[i] - kLow[i], kHigh[i] - p[i]});
     }
     if (beyond != 1 || to_edge < kLargestCell) continue;
     ++before_face;
@@ -76,17 +81,14 @@ TEST(DistanceField, OutsideABoxNothingIsToldToBeFartherThanItIs) {
 }
 
 TEST(DistanceField, WhatIsDeepIsFoundAndWhatIsNotIsSpared) {
-  const Vec3 low(-0.02, -0.03, -0.05), high(0.03, 0.03, 0.04);
-  Mesh mesh;
-  add_box(low, high, mesh);
-  const DistanceField field{Solid(mesh)};
+  const DistanceField field = field_of_box();
   for (const double depth : {-0.01, -0.0015, 0.0, 0.003}) {
     int found = 0;
     for (const Vec3& p : points_within(0.08, 20000)) {
       double above = -1.0;
       const auto plane = field.below(p, depth, above);
       const double told = field.at(p).distance;
-      const double truth = box_distance(low, high, p);
+      const double truth = box_distance(kLow, kHigh, p);
       if (plane) {
         ASSERT_LT(told, -depth);
         ASSERT_EQ(plane->distance, told);

@@ -157,7 +157,7 @@ void check_posture(const Posture& posture, const std::string& part, Findings& fi
 
 void check_hands(const Sign& sign, Findings& findings) {
   const bool one = sign.handedness == Handedness::kOne;
-  const bool mirrored = sign.handedness == Handedness::kSymmetric || sign.handedness == Handedness::kAlternating;
+  const bool mirrored = is_mirrored(sign.handedness);
   const size_t phases = sign.dominant.size();
   const size_t base = sign.non_dominant.size();
   findings.require(phases >= 1 && phases <= kMaxPhases, "dominant", "expected 1 to 96 phases of the dominant hand");

@@ -38,33 +38,38 @@ std::vector<Site> spread(const Mesh& mesh, size_t count) {
   return points;
 }
 
+struct Box {
+  Vec3 low{0.0}, high{0.0};
+};
+Box box_round(std::span<const Site> points) {
+  if (points.empty()) return {};
+  Box box{points.front().position, points.front().position};
+  for (const Site& point : points) {
+    box.low = glm::min(box.low, point.position);
+    box.high = glm::max(box.high, point.position);
+  }
+  return box;
+}
+
 /// A ball about the middle of the box round some points.
 SurfacePatch::Piece piece_of(std::span<const Site> points, uint32_t first, uint32_t count) {
-  SurfacePatch::Piece piece{Vec3(0.0), 0.0, first, count};
-  if (count == 0) return piece;
-  Vec3 low = points[first].position, high = low;
-  for (const Site& point : points.subspan(first, count)) {
-    low = glm::min(low, point.position);
-    high = glm::max(high, point.position);
-  }
-  piece.centre = 0.5 * (low + high);
-  for (const Site& point : points.subspan(first, count))
+  const std::span<const Site> own = points.subspan(first, count);
+  const Box box = box_round(own);
+  SurfacePatch::Piece piece{0.5 * (box.low + box.high), 0.0, first, count};
+  for (const Site& point : own)
     piece.radius = std::max(piece.radius, std::sqrt(squared(point.position - piece.centre)));
   return piece;
 }
 
+/// Halves points across the longest side of their box, as often as it takes, into the patch's pieces.
 void divide(SurfacePatch& patch, uint32_t first, uint32_t count) {
   if (count <= kPiece) {
     if (count > 0) patch.pieces.push_back(piece_of(patch.points, first, count));
     return;
   }
   const auto begin = patch.points.begin() + first, end = begin + count;
-  Vec3 low = begin->position, high = low;
-  for (auto point = begin; point != end; ++point) {
-    low = glm::min(low, point->position);
-    high = glm::max(high, point->position);
-  }
-  const Vec3 extent = high - low;
+  const Box box = box_round({begin, end});
+  const Vec3 extent = box.high - box.low;
   const glm::length_t axis = extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
   std::stable_sort(begin, end, [axis](const Site& a, const Site& b) { return a.position[axis] < b.position[axis]; });
   divide(patch, first, count / 2);

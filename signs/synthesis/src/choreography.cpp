@@ -197,7 +197,7 @@ bool Choreographer::is_made_anew(size_t unit, size_t side) const {
   const auto& sign = utterance_.units[unit].sign;
   const auto& before = utterance_.units[unit - 1].sign;
   if (!sign || !before || sign->gloss != before->gloss) return false;
-  return side == kRight || sign->handedness == Handedness::kSymmetric || sign->handedness == Handedness::kAlternating;
+  return side == kRight || is_mirrored(sign->handedness);
 }
 
 void Choreographer::transition(const SignPerformance& performance, size_t index) {

@@ -185,7 +185,7 @@ Result<void> SignBuilder::check() const {
 }
 
 void SignBuilder::place_phases() {
-  mirrored_ = sign_.handedness == Handedness::kSymmetric || sign_.handedness == Handedness::kAlternating;
+  mirrored_ = is_mirrored(sign_.handedness);
   has_base_ = sign_.handedness == Handedness::kDominantBase && !sign_.non_dominant.empty();
   const size_t phases = sign_.dominant.size();
   const auto of_base = [this](size_t i) -> const Posture& {

@@ -234,6 +234,9 @@ enum class Handedness {
   kAlternating,   ///< both act, mirrored, half a cycle apart
   kDominantBase,  ///< the dominant hand acts on or beside the other
 };
+inline bool is_mirrored(Handedness handedness) {
+  return handedness == Handedness::kSymmetric || handedness == Handedness::kAlternating;
+}
 
 enum class Confidence { kLow, kMedium, kHigh };
 enum class ReviewState { kUnreviewed, kReviewed, kRejected };
