@@ -102,6 +102,12 @@ ArmNodes arm_nodes(const Skeleton& skeleton, Side side) {
   const size_t first = kFirstArmName + (side == Side::kLeft ? 0 : kNamesPerArm);
   ArmNodes nodes;
   nodes.shoulder = skeleton.named(first);
+  nodes.trunk = skeleton.node(nodes.shoulder).parent;
+  const int above = nodes.trunk == kNoNode ? kNoNode : skeleton.node(nodes.trunk).parent;
+  if (above != kNoNode && skeleton.node(nodes.trunk).name == kClavicleNames[side == Side::kLeft ? 0 : 1]) {
+    nodes.clavicle = nodes.trunk;
+    nodes.trunk = above;
+  }
   nodes.elbow = skeleton.named(first + 1);
   nodes.wrist = skeleton.named(first + 2);
   for (size_t digit = 0; digit < 5; ++digit)

@@ -6,20 +6,29 @@
 #include "kinematics/arm_ik.h"
 #include "kinematics/limits.h"
 
+#include <optional>
+
 namespace auslan {
 
 struct ArmGeometry {
-  Vec3 shoulder_offset;        ///< of the shoulder node from its parent, metres
+  Vec3 shoulder_offset;        ///< of the shoulder at rest from the trunk's node, metres
   Vec3 upper_bone, fore_bone;  ///< unit, shoulder to elbow and elbow to wrist
   double upper_length = 0.0, fore_length = 0.0;
-  Vec3 hinge;              ///< axis of elbow flexion, perpendicular to the upper arm
-  double side_sign = 1.0;  ///< +1 left, -1 right
+  Vec3 hinge;                           ///< axis of elbow flexion, perpendicular to the upper arm
+  double side_sign = 1.0;               ///< +1 left, -1 right
+  std::optional<Vec3> clavicle_offset;  ///< of the sternoclavicular joint from the trunk's node, metres
+
+  /// Where the shoulder is in the trunk's frame.
+  Vec3 shoulder_place(const Quat& clavicle) const {
+    if (!clavicle_offset) return shoulder_offset;
+    return *clavicle_offset + clavicle * (shoulder_offset - *clavicle_offset);
+  }
 };
 
 ArmGeometry arm_geometry(const Skeleton& skeleton, Side side);
 
-/// solve_arm in the frame of the shoulder's parent.
-ArmSolution solve_in_parent(const ArmGeometry& arm, const Transform& parent_from_wrist, double swivel);
+/// solve_arm in the frame of the trunk.
+ArmSolution solve_in_trunk(const ArmGeometry& arm, const Transform& trunk_from_wrist, double swivel);
 
 /// How a joint's local rotation is read as angles: undo `zero`, twist about `bone`, swing about the other two.
 struct JointAxes {
@@ -28,6 +37,7 @@ struct JointAxes {
   Quat zero = kIdentity;  ///< the local rotation at which all angles are zero
 };
 
+JointAxes clavicle_axes(const ArmGeometry& arm);
 JointAxes shoulder_axes(const ArmGeometry& arm);
 JointAxes elbow_axes(const ArmGeometry& arm);
 JointAxes wrist_axes(const HandFrame& hand, double side_sign);

@@ -31,15 +31,44 @@ constexpr double kTrunkHalfBreadth = 1.2;
 constexpr double kTrunkHalfDepth = 0.95;
 constexpr double kTrunkWeight = 12.0;  // low enough that the limits win
 
+// The clavicle begins to help where the wrist is this far from the shoulder at rest, and has done all it can so much
+// farther out, in lengths of the straight arm; slow enough that a hand that moves out still moves away from its
+// shoulder.
+constexpr double kHelpStart = 0.90, kHelpSpan = 0.16;
+constexpr double kMostHelp = 14.0 * kDegree;
+// Cosines to straight up: a hand that hangs leaves the clavicle alone; from here on it helps.
+constexpr double kHanging = -0.6, kHelped = -0.1;
+
 double length(const Vec3& v) {
   return std::sqrt(glm::dot(v, v));
+}
+
+double smooth_step(double low, double high, double x) {
+  const double t = (x - low) / (high - low);
+  if (!(t > 0.0)) return 0.0;
+  // Minimum jerk: continuous in acceleration.
+  return t >= 1.0 ? 1.0 : t * t * t * (10.0 + t * (6.0 * t - 15.0));
+}
+
+// trunk_from_clavicle for a wrist in the frame of the trunk.
+Quat clavicle_turn(const ArmGeometry& arm, const Vec3& wrist) {
+  if (!arm.clavicle_offset) return kIdentity;
+  const Vec3 reach = wrist - arm.shoulder_offset;
+  const double distance = length(reach);
+  const double straight = arm.upper_length + arm.fore_length;
+  if (!(distance > kHelpStart * straight)) return kIdentity;
+  const Vec3 towards = reach / distance;
+  const double share =
+      smooth_step(kHelpStart, kHelpStart + kHelpSpan, distance / straight) * smooth_step(kHanging, kHelped, towards.y);
+  const Vec3 axis = glm::cross(unit(arm.shoulder_offset - *arm.clavicle_offset), towards);
+  return from_rotation_vector(axis * (kMostHelp * share));
 }
 
 Vec3 perpendicular_part(const Vec3& v, const Vec3& unit_axis) {
   return v - unit_axis * glm::dot(v, unit_axis);
 }
 
-// Where the elbow points at swivel 0: unit, perpendicular to `line`, in the frame of the shoulder's parent.
+// Where the elbow points at swivel 0: unit, perpendicular to `line`, in the frame of the trunk.
 Vec3 swivel_reference(const Vec3& line) {
   const double steep = line.y < 0.0 ? -line.y : line.y;
   double lean = 0.0;
@@ -74,10 +103,10 @@ struct SwivelCost {
   ArmGeometry arm;
   std::array<JointAxes, 3> axes;
   std::array<JointLimits, 3> limits;
-  Transform parent_from_wrist;
+  Transform trunk_from_wrist;
 
   double operator()(double swivel) const {
-    const ArmSolution solution = solve_in_parent(arm, parent_from_wrist, swivel);
+    const ArmSolution solution = solve_in_trunk(arm, trunk_from_wrist, swivel);
     const double beyond = squared_excess(limits[0], angles_about(axes[0], solution.shoulder)) +
                           squared_excess(limits[1], angles_about(axes[1], solution.elbow)) +
                           squared_excess(limits[2], angles_about(axes[2], solution.wrist));
@@ -87,11 +116,11 @@ struct SwivelCost {
 
   // 0 outside, 1 on the axis of the trunk well below the shoulders; once differentiable.
   double square_inside_trunk(const ArmSolution& solution) const {
-    const Vec3 upper = solution.shoulder * arm.upper_bone;
+    const Vec3 upper = solution.clavicle * (solution.shoulder * arm.upper_bone);
     if (!(upper.y < 0.0)) return 0.0;
     const double unit_length = arm.shoulder_offset.x < 0.0 ? -arm.shoulder_offset.x : arm.shoulder_offset.x;
     if (!(unit_length > 0.0)) return 0.0;
-    const Vec3 elbow = (arm.shoulder_offset + upper * arm.upper_length) / unit_length;
+    const Vec3 elbow = (arm.shoulder_place(solution.clavicle) + upper * arm.upper_length) / unit_length;
     const double x = elbow.x / kTrunkHalfBreadth;
     const double z = (elbow.z - arm.shoulder_offset.z / unit_length) / kTrunkHalfDepth;
     const double inside = 1.0 - std::sqrt(x * x + z * z);
@@ -129,6 +158,10 @@ ArmGeometry arm_geometry(const Skeleton& skeleton, Side side) {
   arm.side_sign = side == Side::kLeft ? 1.0 : -1.0;
   const Vec3 outward(arm.side_sign, 0.0, 0.0);
   arm.shoulder_offset = skeleton.node(nodes.shoulder).offset;
+  if (nodes.clavicle != kNoNode) {
+    arm.clavicle_offset = skeleton.node(nodes.clavicle).offset;
+    arm.shoulder_offset += *arm.clavicle_offset;
+  }
   arm.upper_length = length(upper);
   arm.fore_length = length(fore);
   arm.upper_bone = unit(upper, outward);
@@ -138,9 +171,10 @@ ArmGeometry arm_geometry(const Skeleton& skeleton, Side side) {
   return arm;
 }
 
-ArmSolution solve_in_parent(const ArmGeometry& arm, const Transform& parent_from_wrist, double swivel) {
+ArmSolution solve_in_trunk(const ArmGeometry& arm, const Transform& trunk_from_wrist, double swivel) {
   ArmSolution solution;
-  const Vec3 reach = parent_from_wrist.position - arm.shoulder_offset;
+  solution.clavicle = clavicle_turn(arm, trunk_from_wrist.position);
+  const Vec3 reach = trunk_from_wrist.position - arm.shoulder_place(solution.clavicle);
   const double wanted = length(reach);
   const Vec3 line = unit(reach, Vec3(0.0, -1.0, 0.0));
   const double farthest = arm.upper_length + arm.fore_length;
@@ -170,29 +204,37 @@ ArmSolution solve_in_parent(const ArmGeometry& arm, const Transform& parent_from
   const Vec3 fore = unit(line * (distance - along) - elbow_side * height, -elbow_side);
   const Vec3 hinge = glm::cross(elbow_side, line);
 
-  solution.shoulder = rotation_between_frames(arm.upper_bone, arm.hinge, upper, hinge);
-  const Quat bend = rotation_between_frames(arm.fore_bone, arm.hinge, glm::conjugate(solution.shoulder) * fore,
-                                            glm::conjugate(solution.shoulder) * hinge);
-  const Quat beyond = glm::conjugate(solution.shoulder * bend) * parent_from_wrist.rotation;
+  const Quat shoulder = rotation_between_frames(arm.upper_bone, arm.hinge, upper, hinge);
+  const Quat bend = rotation_between_frames(arm.fore_bone, arm.hinge, glm::conjugate(shoulder) * fore,
+                                            glm::conjugate(shoulder) * hinge);
+  const Quat beyond = glm::conjugate(shoulder * bend) * trunk_from_wrist.rotation;
+  solution.shoulder = glm::conjugate(solution.clavicle) * shoulder;
   const Quat pronation = swing_twist(beyond, arm.fore_bone).twist;
   solution.elbow = renormalised(bend * pronation);
   solution.wrist = renormalised(glm::conjugate(pronation) * beyond);
   return solution;
 }
 
-ArmSolution solve_arm(const Skeleton& skeleton, Side side, const Transform& world_from_shoulder_parent,
+ArmSolution solve_arm(const Skeleton& skeleton, Side side, const Transform& world_from_trunk,
                       const Transform& world_from_wrist, double swivel) {
-  return solve_in_parent(arm_geometry(skeleton, side), in_frame(world_from_shoulder_parent, world_from_wrist), swivel);
+  return solve_in_trunk(arm_geometry(skeleton, side), in_frame(world_from_trunk, world_from_wrist), swivel);
 }
 
-double natural_swivel(const Skeleton& skeleton, Side side, const Transform& world_from_shoulder_parent,
+void pose_arm(const ArmNodes& nodes, const ArmSolution& arm, Pose& pose) {
+  if (nodes.clavicle != kNoNode) pose.rotation[static_cast<size_t>(nodes.clavicle)] = arm.clavicle;
+  pose.rotation[static_cast<size_t>(nodes.shoulder)] = arm.shoulder;
+  pose.rotation[static_cast<size_t>(nodes.elbow)] = arm.elbow;
+  pose.rotation[static_cast<size_t>(nodes.wrist)] = arm.wrist;
+}
+
+double natural_swivel(const Skeleton& skeleton, Side side, const Transform& world_from_trunk,
                       const Transform& world_from_wrist) {
   const ArmGeometry arm = arm_geometry(skeleton, side);
   const SwivelCost cost{
       arm,
       {shoulder_axes(arm), elbow_axes(arm), wrist_axes(rest_hand_frame(skeleton, side), arm.side_sign)},
       {narrowed(shoulder_limits()), narrowed(elbow_limits()), narrowed(wrist_limits())},
-      in_frame(world_from_shoulder_parent, world_from_wrist)};
+      in_frame(world_from_trunk, world_from_wrist)};
   const double coarse = soft_minimum<kCoarseSteps>(cost, kLowestSwivel, kHighestSwivel, 0.25);
   const double fine = soft_minimum<kFineSteps>(cost, coarse - kFineReach, coarse + kFineReach, 0.02);
   if (fine < kLowestSwivel) return kLowestSwivel;

@@ -95,7 +95,7 @@ ArmReach::Reached ArmReach::reach(const Quat& wanted, const Vec3& pivot, const V
   JointAngles elbow, wrist;
   for (int round = 0; round < rounds; ++round) {
     reached.wrist.position = target - reached.wrist.rotation * pivot;
-    reached.arm = solve_in_parent(s.arm, reached.wrist, swivel);
+    reached.arm = solve_in_trunk(s.arm, reached.wrist, swivel);
     elbow = angles_about(s.elbow, reached.arm.elbow);
     wrist = angles_about(s.wrist, reached.arm.wrist);
     s.share_twist(elbow, wrist);
@@ -104,8 +104,9 @@ ArmReach::Reached ArmReach::reach(const Quat& wanted, const Vec3& pivot, const V
     // The forearm can turn the hand and the wrist can bend it; the elbow's own bend is the place's matter.
     JointAngles turned = brought_within(s.elbow_within, elbow);
     turned.flexion = elbow.flexion;
-    reached.wrist.rotation = renormalised(reached.arm.shoulder * rotation_about(s.elbow, turned) *
-                                          rotation_about(s.wrist, brought_within(s.wrist_within, wrist)));
+    reached.wrist.rotation =
+        renormalised(reached.arm.clavicle * reached.arm.shoulder * rotation_about(s.elbow, turned) *
+                     rotation_about(s.wrist, brought_within(s.wrist_within, wrist)));
   }
   reached.lean = angle_between(wanted, reached.wrist.rotation);
   reached.excess = s.excess(reached.arm, elbow, wrist);
@@ -113,12 +114,12 @@ ArmReach::Reached ArmReach::reach(const Quat& wanted, const Vec3& pivot, const V
   return reached;
 }
 
-ArmSolution ArmReach::solve(const Transform& parent_from_wrist, double swivel) const {
-  return solve_in_parent(state_->arm, parent_from_wrist, swivel);
+ArmSolution ArmReach::solve(const Transform& trunk_from_wrist, double swivel) const {
+  return solve_in_trunk(state_->arm, trunk_from_wrist, swivel);
 }
 
-double ArmReach::excess(const Transform& parent_from_wrist, double swivel) const {
-  return state_->excess(solve_in_parent(state_->arm, parent_from_wrist, swivel));
+double ArmReach::excess(const Transform& trunk_from_wrist, double swivel) const {
+  return state_->excess(solve_in_trunk(state_->arm, trunk_from_wrist, swivel));
 }
 
 ArmSolution ArmReach::limited(const ArmSolution& arm) const {

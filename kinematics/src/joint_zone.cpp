@@ -32,6 +32,7 @@ class Zones {
   std::vector<JointZone> all() {
     head();
     for (const std::string side : {"_l", "_r"}) {
+      clavicle("clavicle" + side, "shoulder" + side);
       shoulder("shoulder" + side, "elbow" + side);
       if (JointZone* elbow = limb("elbow" + side, "wrist" + side)) {
         const double half = 0.15 * distance("elbow" + side, "wrist" + side);
@@ -87,6 +88,17 @@ class Zones {
       zone->twist = Ramp{0.1 * length, 0.92 * length};
     }
     return zone;
+  }
+
+  // The trunk's skin goes with the clavicle along its length: all of it about the shoulder, none of it at the flank.
+  void clavicle(const std::string& joint, const std::string& shoulder) {
+    if (skeleton_.find(joint) == kNoNode) return;
+    JointZone* zone = bone_to(joint, shoulder);
+    if (zone == nullptr) return;
+    const double length = distance(joint, shoulder);
+    zone->bend = zone->twist = Ramp{0.0, length};
+    zone->near = 0.4 * length;
+    zone->far = 1.2 * length;
   }
 
   // The arm hangs at a right angle to rest: bent in the middle of so much the shoulder would come to a point. The ball

@@ -29,6 +29,9 @@ constexpr JointLimits degrees(double flexion_low, double flexion_high, double ab
 // Medial rotation is 70 degrees in the norm, with the arm raised sideways; with the arm beside the body it is 95 and
 // more (Kapandji, The Physiology of the Joints), and that is where a hand reaches across to the other arm.
 constexpr JointLimits kShoulder = degrees(-60, 180, -64, 180, -90, 95);
+// Forwards and backwards, up and down, and rolled, as the shoulder blade carries it (Ludewig et al. 2009, Journal of
+// Bone and Joint Surgery 91:378; Kapandji: 10 cm of protraction to 3 of retraction at the shoulder's end).
+constexpr JointLimits kClavicle = degrees(-15, 20, -5, 20, -kSlack, kSlack);
 constexpr JointLimits kElbow = degrees(0, 150, -kSlack, kSlack, -80, 80);
 constexpr JointLimits kWrist = degrees(-70, 80, -30, 20, -kSlack, kSlack);
 
@@ -37,11 +40,12 @@ struct Row {
   JointLimits limits;
 };
 
-constexpr std::array<Row, 21> kTable = {{
+constexpr std::array<Row, 22> kTable = {{
     {"spine_base", degrees(-25, 80, -35, 35, -45, 45)},
     // The cervical spine's 45, 45, 45 and 60 are shared by two nodes.
     {"neck_base", degrees(-25, 25, -25, 25, -35, 35)},
     {"head_base", degrees(-25, 25, -25, 25, -35, 35)},
+    {"clavicle", kClavicle},
     {"shoulder", kShoulder},
     {"elbow", kElbow},
     {"wrist", kWrist},
@@ -64,7 +68,7 @@ constexpr std::array<Row, 21> kTable = {{
     {"little_dip", degrees(-kSlack, 90, -kSlack, kSlack, -kSlack, kSlack)},
 }};
 constexpr size_t kFirstSided = 3;
-constexpr size_t kFirstDigit = 6;
+constexpr size_t kFirstDigit = 7;
 
 struct Place {
   size_t row = kTable.size();
@@ -126,10 +130,12 @@ JointAxes axes_of(const Skeleton& skeleton, const Place& place) {
       // Bowing forwards, bending to the left, turning to the left.
       return {Vec3(0.0, 1.0, 0.0), Vec3(1.0, 0.0, 0.0), Vec3(0.0, 0.0, -1.0), 1.0, kIdentity};
     case 3:
-      return shoulder_axes(arm_geometry(skeleton, place.side));
+      return clavicle_axes(arm_geometry(skeleton, place.side));
     case 4:
-      return elbow_axes(arm_geometry(skeleton, place.side));
+      return shoulder_axes(arm_geometry(skeleton, place.side));
     case 5:
+      return elbow_axes(arm_geometry(skeleton, place.side));
+    case 6:
       return wrist_axes(rest_hand_frame(skeleton, place.side), sign);
     default:
       return digit_axes(skeleton, place);
@@ -154,6 +160,14 @@ JointLimits elbow_limits() {
 }
 JointLimits wrist_limits() {
   return kWrist;
+}
+
+JointAxes clavicle_axes(const ArmGeometry& arm) {
+  const Vec3 outward(arm.side_sign, 0.0, 0.0);
+  const Vec3 bone = arm.clavicle_offset ? unit(arm.shoulder_offset - *arm.clavicle_offset, outward) : outward;
+  // Forwards about what is nearest to the vertical across the bone; up about what is left.
+  const Vec3 upright = unit(Vec3(0.0, 1.0, 0.0) - bone * bone.y, Vec3(0.0, 0.0, 1.0));
+  return {bone, upright * -arm.side_sign, glm::cross(bone, upright), arm.side_sign, kIdentity};
 }
 
 JointAxes shoulder_axes(const ArmGeometry& arm) {

@@ -225,6 +225,8 @@ class SkinnedModel final : public BodyModel {
     for (const JointZone& zone : zones_) {
       const Node& at = figure.skeleton.node(zone.node);
       const bool is_child = at.parent == node;
+      // A clavicle has no surface that the trunk's could meet.
+      if (figure.segments[static_cast<size_t>(zone.node)].indices.empty()) continue;
       if (!zone.bends_parent || (!is_child && zone.node != node)) continue;
       const Vec3 offset = is_child ? at.offset : Vec3(0.0);
       for (size_t i = 0; i < mesh.positions.size(); ++i) {

@@ -42,13 +42,13 @@ class Holes {
  public:
   explicit Holes(const Figure& figure) : figure_(figure), world_(static_cast<size_t>(figure.skeleton.size())) {}
 
-  /// Pixels that show the inside of the figure, and still do when the inside is moved a millimetre away from the eye:
-  /// where a surface turns away its front and its back meet at one depth, and rounding may put either before the other.
-  /// For the same reason one pixel alone is no hole.
+  /// Pixels that show the inside of the figure, and still do when the inside is moved two millimetres away from the
+  /// eye: where a surface turns away its front and its back meet at one depth, and rounding may put either before the
+  /// other. For the same reason one pixel alone is no hole.
   int count(BodyModel& model, const Pose& pose, const glm::vec3& eye, int node = kNoNode) {
     draw(model, pose, eye, node, 0.0F, pixels_);
     if (std::find(pixels_.begin(), pixels_.end(), kInside) == pixels_.end()) return 0;
-    draw(model, pose, eye, node, 0.001F, moved_);
+    draw(model, pose, eye, node, 0.002F, moved_);
     int holes = 0;
     for (int row = 0; row < kSize; ++row) {
       for (int column = 0; column < kSize; ++column)

@@ -73,7 +73,8 @@ void expect_closed(const Figure& figure) {
   for (size_t node = 0; node < figure.segments.size(); ++node) {
     const Mesh& mesh = figure.segments[node];
     const std::string& name = figure.skeleton.node(static_cast<int>(node)).name;
-    ASSERT_FALSE(mesh.indices.empty()) << name;
+    ASSERT_EQ(mesh.indices.empty(), name.starts_with("clavicle")) << name;
+    if (mesh.indices.empty()) continue;
     std::map<std::pair<uint32_t, uint32_t>, int> edges;
     double volume = 0;
     for (size_t i = 0; i < mesh.indices.size(); i += 3) {

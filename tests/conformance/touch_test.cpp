@@ -117,9 +117,7 @@ class Touch {
   void put(Side side, const HandState& state, Pose& pose) const {
     const ArmNodes nodes = arm_nodes(skeleton_, side);
     const ArmSolution arm = solve_arm(skeleton_, side, search_.parent(side), state.wrist, state.swivel);
-    pose.rotation[static_cast<size_t>(nodes.shoulder)] = arm.shoulder;
-    pose.rotation[static_cast<size_t>(nodes.elbow)] = arm.elbow;
-    pose.rotation[static_cast<size_t>(nodes.wrist)] = arm.wrist;
+    pose_arm(nodes, arm, pose);
     pose_hand(skeleton_, side, state.angles, pose);
   }
 

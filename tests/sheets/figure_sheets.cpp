@@ -7,6 +7,7 @@
 #include "body.h"
 #include "gltf/avatar_gltf.h"
 #include "kinematics/arm_ik.h"
+#include "kinematics/rotation.h"
 #include "media/picture.h"
 #include "sheet.h"
 #include "shipped.h"
@@ -127,11 +128,9 @@ Pose showing(const Handshape& handshape, bool from_behind = false) {
   const HandState state = signer.place(posture, handshape, Side::kRight, {}).state;
   Pose pose = standing();
   const ArmNodes nodes = arm_nodes(skeleton, Side::kRight);
-  const Transform trunk{kIdentity, skeleton.rest_position(skeleton.node(nodes.shoulder).parent)};
+  const Transform trunk{kIdentity, skeleton.rest_position(nodes.trunk)};
   const ArmSolution arm = solve_arm(skeleton, Side::kRight, trunk, state.wrist, state.swivel);
-  pose.rotation[static_cast<size_t>(nodes.shoulder)] = arm.shoulder;
-  pose.rotation[static_cast<size_t>(nodes.elbow)] = arm.elbow;
-  pose.rotation[static_cast<size_t>(nodes.wrist)] = arm.wrist;
+  pose_arm(nodes, arm, pose);
   pose_hand(skeleton, Side::kRight, state.angles, pose);
   return pose;
 }
@@ -144,6 +143,26 @@ Row views() {
   for (const CameraName camera : {CameraName::kSigner, CameraName::kHands})
     row.cells.push_back({std::string(kCameraNames[static_cast<size_t>(camera)]) + ", WHERE",
                          drawn(shipped().figure, signing(), camera)});
+  return row;
+}
+
+/// The right arm out as far as it goes with the help of its clavicle.
+Row reaching() {
+  const Skeleton& skeleton = shipped().figure.skeleton;
+  const ArmNodes nodes = arm_nodes(skeleton, Side::kRight);
+  const Transform trunk{kIdentity, skeleton.rest_position(nodes.trunk)};
+  Row row{"At the edge of reach", {}};
+  for (const auto& [label, direction] :
+       {std::pair("forwards", Vec3(0, 0.1, 1)), std::pair("across", Vec3(0.7, 0, 1)),
+        std::pair("up", Vec3(-0.1, 1, 0.2)), std::pair("up and aside", Vec3(-1, 1, 0.2)),
+        std::pair("aside", Vec3(-1, 0, 0.1))}) {
+    const Vec3 far = skeleton.rest_position(nodes.shoulder) + unit(direction);
+    const Transform wrist{orient_hand(rest_hand_frame(skeleton, Side::kRight), direction, Vec3(0, -0.3, 1)), far};
+    Pose pose = standing();
+    pose_arm(nodes, solve_arm(skeleton, Side::kRight, trunk, wrist, 0.3), pose);
+    for (const CameraName camera : {CameraName::kFront, CameraName::kThreeQuarter})
+      row.cells.push_back({label, drawn(shipped().figure, pose, camera)});
+  }
   return row;
 }
 
@@ -276,7 +295,8 @@ void write(const std::string& path, const Picture& picture) {
 void write_all(const std::string& folder, std::span<char*> avatars) {
   const CaptionPainter text = CaptionPainter::open().value();
   write(folder + "/figure.png",
-        contact_sheet({views(), hands(), mouths(), expressions(), appearances(), levels()}, 6, kCell, kCell, text));
+        contact_sheet({views(), reaching(), hands(), mouths(), expressions(), appearances(), levels()}, 6, kCell, kCell,
+                      text));
   write(folder + "/handshapes.png", contact_sheet({all_handshapes()}, 12, kCell, kCell, text));
   write(folder + "/letters.png", contact_sheet({all_letters()}, 8, kCell, kCell, text));
   if (avatars.empty()) return;

@@ -24,9 +24,7 @@ class Reach {
 
   const Signer& signer() const { return signer_; }
 
-  Transform parent(Side side) const {
-    return {kIdentity, skeleton_.rest_position(skeleton_.node(arm_nodes(skeleton_, side).shoulder).parent)};
-  }
+  Transform parent(Side side) const { return {kIdentity, skeleton_.rest_position(arm_nodes(skeleton_, side).trunk)}; }
   /// Degrees by which the arm breaks its limits; nothing where the wrist is out of reach.
   std::optional<double> strain(Side side, const Transform& wrist, double swivel) const {
     const ArmNodes nodes = arm_nodes(skeleton_, side);

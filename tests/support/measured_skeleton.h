@@ -34,7 +34,8 @@ inline double measured_tip(size_t digit) {
   return 1e-3 * kMeasuredDigits[digit].bones[2];
 }
 
-inline Skeleton measured_skeleton() {
+/// `clavicles`: with a node of 0.15 m between trunk and shoulders.
+inline Skeleton measured_skeleton(bool clavicles = false) {
   std::vector<Node> nodes = {{"spine_base", kNoNode, Vec3(0.0, 0.97, 0.0)},
                              {"neck_base", 0, Vec3(0.0, 0.47, -0.028)},
                              {"head_base", 1, Vec3(0.0, 0.09, 0.012)}};
@@ -44,7 +45,9 @@ inline Skeleton measured_skeleton() {
       nodes.push_back({stem + side, parent, Vec3(sign * left.x, left.y, left.z)});
       return static_cast<int>(nodes.size()) - 1;
     };
-    const int shoulder = add("shoulder", 1, Vec3(0.17, -0.088, 0.028));
+    const Vec3 from_trunk(0.17, -0.088, 0.028), bone(0.147, 0.0, -0.03);
+    const int clavicle = clavicles ? add("clavicle", 1, from_trunk - bone) : kNoNode;
+    const int shoulder = clavicles ? add("shoulder", clavicle, bone) : add("shoulder", 1, from_trunk);
     const int elbow = add("elbow", shoulder, Vec3(0.287, 0.0, 0.0));
     const int wrist = add("wrist", elbow, Vec3(0.2545, 0.0, 0.0));
     const std::array<std::array<std::string, 3>, 5> names = {{{"thumb_cmc", "thumb_mp", "thumb_ip"},

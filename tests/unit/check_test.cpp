@@ -64,15 +64,15 @@ class Check : public ::testing::Test {
   /// A hand with a point of it at a place, its arm within the limits of its joints: as near to `shown_` as they allow.
   HandState at(const Vec3& point, const Vec3& place) const {
     const Skeleton& skeleton = shipped().figure.skeleton;
-    const Vec3 parent = skeleton.rest_position(skeleton.node(skeleton.find("shoulder_r")).parent);
+    const Vec3 trunk = skeleton.rest_position(arm_nodes(skeleton, Side::kRight).trunk);
     HandState state = shown_;
     double least = 1e9;
     for (double swivel = -60.0; swivel <= 150.0; swivel += 5.0) {
       const auto reached =
-          shipped().signer->reach(Side::kRight).reach(shown_.wrist.rotation, point, place - parent, swivel * kDegree);
+          shipped().signer->reach(Side::kRight).reach(shown_.wrist.rotation, point, place - trunk, swivel * kDegree);
       if (reached.lean + 10.0 * reached.excess >= least) continue;
       least = reached.lean + 10.0 * reached.excess;
-      state.wrist = {reached.wrist.rotation, reached.wrist.position + parent};
+      state.wrist = {reached.wrist.rotation, reached.wrist.position + trunk};
       state.swivel = swivel * kDegree;
     }
     return state;
@@ -200,7 +200,7 @@ TEST_F(Check, ALettersHoldIsMeasuredOnItsOwn) {
   EXPECT_FALSE(verdict.good(Measure::kLetterHold));
 }
 
-TEST_F(Check, ARateNeedsThreeInARowWithoutAPause) {
+TEST_F(Check, ARateNeedsFiveSignsOrThreeLettersInARowWithoutAPause) {
   Score score = score_of_states({shown_, shown_}, 4.0);
   const auto rate = [&](const std::vector<GlossSpan>& glosses, Measure measure) {
     score.glosses = glosses;
@@ -208,13 +208,14 @@ TEST_F(Check, ARateNeedsThreeInARowWithoutAPause) {
     return verdict.of(measure) ? verdict.of(measure)->value : -1.0;
   };
   const auto at = [](double begin) { return ticks(begin); };
-  EXPECT_NEAR(rate({{"A", at(0), at(.3), false, 0}, {"B", at(.5), at(.7), false, 1}, {"C", at(1), at(1.4), false, 2}},
-                   Measure::kSignRate),
-              2.0, 1e-9);
+  std::vector<GlossSpan> signs;
+  for (int i = 0; i < 5; ++i)
+    signs.push_back({"A", at(.5 * i), at(.5 * i + .3), false, i});
+  EXPECT_NEAR(rate(signs, Measure::kSignRate), 2.0, 1e-9);
+  EXPECT_EQ(rate({signs.begin(), signs.begin() + 4}, Measure::kSignRate), -1.0);
   // A pause has a unit of its own.
-  EXPECT_EQ(rate({{"A", at(0), at(.3), false, 0}, {"B", at(.5), at(.7), false, 1}, {"C", at(1), at(1.4), false, 3}},
-                 Measure::kSignRate),
-            -1.0);
+  signs.back().unit = 5;
+  EXPECT_EQ(rate(signs, Measure::kSignRate), -1.0);
   const std::vector<GlossSpan> letters = {
       {"KIM", at(0), at(.2), true, 0}, {"KIM", at(.25), at(.4), true, 1}, {"KIM", at(.5), at(.7), true, 2}};
   EXPECT_NEAR(rate(letters, Measure::kLetterRate), 4.0, 1e-9);

@@ -82,9 +82,7 @@ class FigureAppearance : public testing::TestWithParam<std::string> {
         solve_arm(skeleton, Side::kRight, trunk, wrist, natural_swivel(skeleton, Side::kRight, trunk, wrist));
     EXPECT_TRUE(solved.reachable);
     Pose pose = rest_pose(skeleton);
-    pose.rotation[static_cast<size_t>(arm.shoulder)] = solved.shoulder;
-    pose.rotation[static_cast<size_t>(arm.elbow)] = solved.elbow;
-    pose.rotation[static_cast<size_t>(arm.wrist)] = solved.wrist;
+    pose_arm(arm, solved, pose);
     return pose;
   }
 

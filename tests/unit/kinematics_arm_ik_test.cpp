@@ -5,11 +5,11 @@
 #include "kinematics/pose.h"
 #include "kinematics/rotation.h"
 #include "measured_skeleton.h"
+#include "random_places.h"
 
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
-#include <random>
 #include <vector>
 
 namespace auslan {
@@ -18,23 +18,6 @@ namespace {
 double length(const Vec3& v) {
   return std::sqrt(glm::dot(v, v));
 }
-
-class Random {
- public:
-  double between(double low, double high) {
-    return low + (high - low) * (static_cast<double>(engine_()) / 4294967296.0);
-  }
-  Vec3 vector() {
-    const double x = between(-1.0, 1.0);
-    const double y = between(-1.0, 1.0);
-    const double z = between(-1.0, 1.0);
-    return {x, y, z};
-  }
-  Quat rotation() { return from_rotation_vector(vector() * 2.0); }
-
- private:
-  std::mt19937 engine_{21};
-};
 
 struct Reached {
   Vec3 elbow;
@@ -73,7 +56,7 @@ Transform mirrored(const Transform& t) {
 }
 
 TEST(ArmIk, ForwardKinematicsMeetsEveryReachableTarget) {
-  Random random;
+  test::Random random;
   for (int i = 0; i < 20000; ++i) {
     const Side side = i % 2 == 0 ? Side::kLeft : Side::kRight;
     const Transform parent{random.rotation(), random.vector()};
@@ -90,7 +73,7 @@ TEST(ArmIk, ForwardKinematicsMeetsEveryReachableTarget) {
 }
 
 TEST(ArmIk, TheElbowIsAHingeThatBendsForwardsThenTwistsAndTheWristDoesNotTwist) {
-  Random random;
+  test::Random random;
   for (int i = 0; i < 2000; ++i) {
     const Side side = i % 2 == 0 ? Side::kLeft : Side::kRight;
     const double sign = side == Side::kLeft ? 1.0 : -1.0;
@@ -135,7 +118,7 @@ TEST(ArmIk, AHangingHandsElbowPointsBackwardsAndARaisedOnesForwards) {
 }
 
 TEST(ArmIk, TheRightArmMirrorsTheLeftExactly) {
-  Random random;
+  test::Random random;
   for (int i = 0; i < 2000; ++i) {
     const Transform parent{random.rotation(), random.vector()};
     const Transform target{random.rotation(), shoulder_of(Side::kLeft, parent) + random.vector() * 0.35};

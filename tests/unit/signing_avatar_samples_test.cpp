@@ -76,12 +76,10 @@ class Signs {
     posture.contact = Contact{.kind = ContactKind::kTouch, .part = part, .target = std::nullopt};
     const PlacedHand placed = signer_->place(posture, *shape, Side::kRight, {});
     const ArmNodes nodes = arm_nodes(skeleton(), Side::kRight);
-    const Transform parent{kIdentity, skeleton().rest_position(skeleton().node(nodes.shoulder).parent)};
+    const Transform parent{kIdentity, skeleton().rest_position(nodes.trunk)};
     const ArmSolution arm = solve_arm(skeleton(), Side::kRight, parent, placed.state.wrist, placed.state.swivel);
     shortfall_ = arm.shortfall;
-    pose_.rotation[static_cast<size_t>(nodes.shoulder)] = arm.shoulder;
-    pose_.rotation[static_cast<size_t>(nodes.elbow)] = arm.elbow;
-    pose_.rotation[static_cast<size_t>(nodes.wrist)] = arm.wrist;
+    pose_arm(nodes, arm, pose_);
     pose_hand(skeleton(), Side::kRight, placed.state.angles, pose_);
     forward(skeleton(), pose_, world_);
     meshes_ = model_->pose(world_, {});

@@ -34,9 +34,7 @@ class StageShadow : public ::testing::Test {
         solve_arm(skeleton, Side::kRight, trunk, wrist, natural_swivel(skeleton, Side::kRight, trunk, wrist));
     EXPECT_TRUE(solved.reachable);
     Pose pose = rest_pose(skeleton);
-    pose.rotation[static_cast<size_t>(arm.shoulder)] = solved.shoulder;
-    pose.rotation[static_cast<size_t>(arm.elbow)] = solved.elbow;
-    pose.rotation[static_cast<size_t>(arm.wrist)] = solved.wrist;
+    pose_arm(arm, solved, pose);
     return pose;
   }
   std::vector<uint32_t> picture(const Pose& pose, bool shadow) {

@@ -18,6 +18,8 @@ inline constexpr Side other(Side side) {
 }
 
 struct ArmNodes {
+  int trunk = kNoNode;     ///< what carries the arm: the parent of the clavicle, or of the shoulder where there is none
+  int clavicle = kNoNode;  ///< of figures that have one between trunk and shoulder; else kNoNode
   int shoulder = kNoNode, elbow = kNoNode, wrist = kNoNode;
   /// Thumb, index, middle, ring, little; each cmc, mp, ip (thumb) or mp, pip, dip.
   std::array<std::array<int, 3>, 5> digits{};

@@ -18,7 +18,7 @@ class ArmReach {
   ArmReach& operator=(ArmReach&&) noexcept;
   ~ArmReach();
 
-  /// A hand brought to a place, in the frame of the shoulder's parent.
+  /// A hand brought to a place, in the frame of the trunk.
   struct Reached {
     Transform wrist;
     ArmSolution arm;
@@ -34,12 +34,12 @@ class ArmReach {
   /// `off`.
   Reached reach(const Quat& wanted, const Vec3& pivot, const Vec3& target, double swivel, int rounds = 8) const;
 
-  /// solve_arm() for a wrist in the frame of the shoulder's parent.
-  ArmSolution solve(const Transform& parent_from_wrist, double swivel) const;
+  /// solve_arm() for a wrist in the frame of the trunk.
+  ArmSolution solve(const Transform& trunk_from_wrist, double swivel) const;
 
   /// Radians by which shoulder, elbow and wrist break their limits for a wrist that stays as it is: the root of the sum
   /// of squares.
-  double excess(const Transform& parent_from_wrist, double swivel) const;
+  double excess(const Transform& trunk_from_wrist, double swivel) const;
 
   /// Brings shoulder, elbow and wrist into their ranges. Within a degree of the end of a range a joint gives way
   /// bit by bit, so that a smooth movement into the limit stays smooth.

@@ -19,12 +19,13 @@ struct JointLimits {
 /// and the swing's rotation vector into flexion and abduction. Zero is: the arm hanging (shoulder; so rest is 90
 /// degrees of abduction), the forearm straight and neither pronated nor supinated (which is rest: palms down), the hand
 /// straight, the thumb as ThumbPose has it (radial abduction counts as abduction, palmar as flexion, opposition as
-/// twist), the trunk and head upright (side bend as abduction, to the left positive; turn to the left as twist).
+/// twist), the trunk and head upright (side bend as abduction, to the left positive; turn to the left as twist), the
+/// clavicle at rest (protraction as flexion, elevation as abduction).
 struct JointAngles {
   double flexion = 0.0, abduction = 0.0, twist = 0.0;
 };
 
-/// The range of a node; nothing for nodes that are not of the 39.
+/// The range of a node; nothing for nodes that are neither of the 39 nor clavicles.
 std::optional<JointLimits> joint_limits(const Skeleton& skeleton, int node);
 JointAngles joint_angles(const Skeleton& skeleton, int node, const Quat& local);
 Quat from_joint_angles(const Skeleton& skeleton, int node, const JointAngles& angles);

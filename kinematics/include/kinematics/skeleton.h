@@ -34,6 +34,9 @@ inline constexpr std::array<std::string_view, 39> kNodeNames = {"spine_base",  "
                                                                 "ring_mp_r",   "ring_pip_r",   "ring_dip_r",    //
                                                                 "little_mp_r", "little_pip_r", "little_dip_r"};
 
+/// Nodes that a figure may have between its trunk and its shoulders: left, right.
+inline constexpr std::array<std::string_view, 2> kClavicleNames = {"clavicle_l", "clavicle_r"};
+
 struct Node {
   std::string name;
   int parent = kNoNode;  ///< index of the parent, smaller than the node's own; kNoNode for the root only

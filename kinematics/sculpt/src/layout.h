@@ -11,7 +11,8 @@ namespace auslan::sculpt {
 
 /// The trunk's joints in world space.
 struct TrunkJoints {
-  Vec3 spine_base{0.0}, neck_base{0.0}, head_base{0.0}, shoulder{0.0}, elbow{0.0}, wrist{0.0};  ///< left side
+  Vec3 spine_base{0.0}, neck_base{0.0}, head_base{0.0}, clavicle{0.0}, shoulder{0.0}, elbow{0.0},
+      wrist{0.0};  ///< left side
 };
 TrunkJoints trunk_joints(const Measurements& table);
 
@@ -27,6 +28,8 @@ DigitLine digit_line(const Measurements& table, int digit);
 
 /// Eye level above head_base.
 inline constexpr double kEyeLevel = 50.0;
+/// From the middle to the joint of breastbone and clavicle, millimetres.
+inline constexpr double kSternoclavicular = 25.0;
 
 /// How far the webs between the fingers reach beyond the knuckles' joints; longer ones turn inside out in some poses.
 inline constexpr double kWebReach = 8.5;

@@ -20,6 +20,10 @@ TrunkJoints trunk_joints(const Measurements& table) {
   joints.head_base = {0.0, table.stature - table.eye_to_vertex - kEyeLevel, 0.0};
   joints.shoulder = {0.5 * table.shoulder_joint_breadth, table.acromial_height - table.acromion_to_shoulder_joint,
                      0.0 - 0.5 * table.neck_base_depth};
+  // The sternoclavicular joint, beside the notch at the top of the breastbone: the collar bone leads out and backwards
+  // from there, by a fifth of its length and about level.
+  joints.clavicle = {kSternoclavicular, joints.shoulder.y,
+                     joints.shoulder.z + 0.2 * (joints.shoulder.x - kSternoclavicular)};
   joints.elbow = joints.shoulder + Vec3(table.upper_arm - table.acromion_to_shoulder_joint, 0.0, 0.0);
   joints.wrist = joints.elbow + Vec3(table.forearm, 0.0, 0.0);
   return joints;
@@ -79,7 +83,8 @@ Result<Skeleton> sculpt_skeleton(const Measurements& table) {
   for (const bool left : {true, false}) {
     const std::string suffix = left ? "_l" : "_r";
     const auto on_side = [left](const Vec3& v) { return left ? v : Vec3(0.0 - v.x, v.y, v.z); };
-    const int shoulder = add("shoulder" + suffix, spine, on_side(trunk.shoulder - trunk.spine_base));
+    const int clavicle = add("clavicle" + suffix, spine, on_side(trunk.clavicle - trunk.spine_base));
+    const int shoulder = add("shoulder" + suffix, clavicle, on_side(trunk.shoulder - trunk.clavicle));
     const int elbow = add("elbow" + suffix, shoulder, on_side(trunk.elbow - trunk.shoulder));
     const int wrist = add("wrist" + suffix, elbow, on_side(trunk.wrist - trunk.elbow));
     for (int digit = 0; digit < 5; ++digit) {

@@ -21,7 +21,7 @@ int main(int argc, char** argv) {
       {.name = "auslan-sculpt",
        .input = "MEASUREMENTS.toml",
        .output = "OUT.glb",
-       .about = "Makes the figure of a signer from a table of measurements: 39 joints, a closed mesh for each, a face "
+       .about = "Makes the figure of a signer from a table of measurements: 41 joints, closed meshes, a face "
                 "that moves.",
        .choice = {.flag = "--detail",
                   .words = auslan::kDetailNames,

@@ -248,10 +248,10 @@ std::string Judge::direction_detail(Side side, const HandTarget& target) const {
   Transform stated;
   stated.rotation = trunk * orient_hand(signer_.hand_frame(side), target.fingers, target.palm);
   stated.position = apply(wrist, target.part) - stated.rotation * target.part;
-  const Transform& parent = placed(skeleton_.node(arm.shoulder).parent);
+  const Transform& base = placed(arm.trunk);
   double least = 1e9;
   for (double swivel = -60.0; swivel <= 150.0; swivel += 2.5) {
-    const ArmSolution solved = solve_arm(skeleton_, side, parent, stated, swivel * kDegree);
+    const ArmSolution solved = solve_arm(skeleton_, side, base, stated, swivel * kDegree);
     if (!solved.reachable) continue;
     least = std::min(least, limit_violation(skeleton_, arm.shoulder, solved.shoulder) +
                                 limit_violation(skeleton_, arm.elbow, solved.elbow) +

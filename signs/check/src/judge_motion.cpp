@@ -17,8 +17,9 @@ constexpr double kSlowestPeak = 0.3;
 constexpr double kShortestStroke = 0.03;
 // A path that bows out farther than this share of its length is not one from point to point.
 constexpr double kStraightest = 0.1;
-// So many in a row before their rate is one of continuous signing, or spelling.
-constexpr int kFewestSigns = 3;
+// So many in a row before their rate is one of continuous signing: that of fewer is what just these signs take. Letters
+// take about as long as each other.
+constexpr int kFewestSigns = 5, kFewestLetters = 3;
 // Every so many checks the mirror image is looked at.
 constexpr Tick kMirrorStep = 4 * kCheckStep;
 
@@ -158,7 +159,7 @@ void Judge::rates() {
   }
   for (const size_t spelled : {size_t{0}, size_t{1}}) {
     const Steps& steps = all[spelled];
-    if (steps.count + 1 < kFewestSigns) continue;
+    if (steps.count + 1 < (spelled == 1 ? kFewestLetters : kFewestSigns)) continue;
     note(spelled == 1 ? Measure::kLetterRate : Measure::kSignRate, steps.count / seconds(steps.time), steps.first,
          std::to_string(steps.count + 1) + (spelled == 1 ? " letters" : " signs"));
   }

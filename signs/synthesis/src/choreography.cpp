@@ -6,6 +6,7 @@
 #include "stroke.h"
 #include "synthesis/mouthing.h"
 #include "synthesis/non_manual.h"
+#include "synthesis/performance.h"
 #include "turning.h"
 #include "way.h"
 
@@ -76,6 +77,8 @@ class Choreographer {
   void lower_left();
   /// What becomes of the base hand when a sign does not use it: it waits, or goes down.
   void release_left(size_t unit);
+  /// Whether the right hand of a sign would go through the left one where that waits.
+  bool left_is_in_way(const SignPerformance& performance) const;
   void transition(const SignPerformance& performance, size_t unit);
   void add_beats(const SignPerformance& performance, const Unit& unit);
   /// The hand shows its target from `begin` to `end`; one that it has shown until now goes on.
@@ -152,8 +155,10 @@ Way Choreographer::way_to(size_t side, HandSegment wanted, const Touch& approach
   const TouchedSurfaces touched{leave_[side], approach};
   wanted.leave = lift * touched.from.normal;
   wanted.approach = lift * touched.to.normal;
-  const auto with = [&](const std::optional<Quat>& turn_middle) {
+  const Vec3 bulge = wanted.bulge;
+  const auto with = [&](const std::optional<Quat>& turn_middle, const Vec3& detour = Vec3(0.0)) {
     wanted.turn_middle = turn_middle;
+    wanted.bulge = bulge + detour;
     Way way = find_way(signer_, hand, wanted, touched, meanwhile);
     way.seconds = shortest_seconds(signer_, hand, way.segment);
     return way;
@@ -163,9 +168,19 @@ Way Choreographer::way_to(size_t side, HandSegment wanted, const Touch& approach
   // the hand turns least.
   constexpr double kTooLong = 0.6, kSecondsPerMetre = 25.0;
   const auto cost = [](const Way& candidate) { return candidate.seconds + kSecondsPerMetre * candidate.depth; };
-  if (cost(way) <= kTooLong) return way;
-  for (const auto& turn : {turn_through_joints(signer_, hand, way.segment), std::optional<Quat>()}) {
-    const Way candidate = with(turn);
+  if (cost(way) > kTooLong) {
+    for (const auto& turn : {turn_through_joints(signer_, hand, way.segment), std::optional<Quat>()}) {
+      const Way candidate = with(turn);
+      if (cost(candidate) < cost(way)) way = candidate;
+    }
+  }
+  // Where it leads through something all the same: forwards, up, aside or down first.
+  constexpr double kPressed = 0.002, kDetour = 0.08;
+  const double outwards = hand == Side::kLeft ? 1.0 : -1.0;
+  const std::optional<Quat> turn = way.segment.turn_middle;
+  for (const Vec3& detour : {Vec3(0, 0, 1), Vec3(0, 1, 0), Vec3(outwards, 0, 0), Vec3(0, -1, 0)}) {
+    if (way.depth <= kPressed) break;
+    const Way candidate = with(turn, kDetour * detour);
     if (cost(candidate) < cost(way)) way = candidate;
   }
   return way;
@@ -190,6 +205,18 @@ void Choreographer::release_left(size_t unit) {
   // A hand that is met hangs, wherever it was before: a sign is the same after any other.
   const bool soon = utterance_.units[unit].spelled || (unit + 1 < utterance_.units.size() && uses_left(unit + 1));
   if (!soon || meets_left(unit)) lower_left();
+}
+
+bool Choreographer::left_is_in_way(const SignPerformance& performance) const {
+  constexpr int kSamples = 8;
+  constexpr double kPressed = 0.002;  // metres
+  return std::ranges::any_of(performance.beats, [&](const Beat& beat) {
+    for (int i = 0; i <= (beat.hold ? 0 : kSamples); ++i) {
+      const HandState right = state_after(beat.hands[kRight], static_cast<double>(i) / kSamples);
+      if (signer_.depth_in_arm(Side::kRight, right, hand_[kLeft], kPressed).metres > kPressed) return true;
+    }
+    return false;
+  });
 }
 
 bool Choreographer::is_made_anew(size_t unit, size_t side) const {
@@ -222,7 +249,7 @@ void Choreographer::transition(const SignPerformance& performance, size_t index)
       time = std::clamp(time, 0.10, std::max(0.10, 1.0 / options_.letters_per_second - stroke::kLetterHold));
     } else {
       time = std::clamp(time, stroke::kShortestTransition, stroke::kLongestTransition);
-      if (!raised_[side]) time = stroke::kFromRest;
+      if (!raised_[side] && index == 0) time = stroke::kFromRest;
     }
     const Vec3 way = to.wrist.position - hand_[side].wrist.position;
     const double distance = std::sqrt(glm::dot(way, way));
@@ -512,6 +539,7 @@ Result<Score> Choreographer::run() {
       if (unit.spelled) letter = letters_.emplace(unit.sign->gloss, own).first;
     }
     const SignPerformance* performance = unit.spelled ? &letter->second : &own;
+    if (raised_[kLeft] && !uses_left(i) && left_is_in_way(*performance)) lower_left();
     transition(*performance, i);
     last_letter_ = unit.spelled && performance->active[kLeft] ? unit.sign->gloss : "";
     const Tick begin = now_;

@@ -85,7 +85,9 @@ void oscillate(const Oscillation& oscillation, double tau, HandState& state) {
   if (oscillation.turn != Vec3(0.0) || oscillation.turn_ahead != Vec3(0.0)) {
     Vec3 turn = oscillation.turn * wave;
     if (oscillation.turn_ahead != Vec3(0.0)) turn += oscillation.turn_ahead * (fade * cosine(angle));
+    const Vec3 held = apply(state.wrist, oscillation.pivot);
     state.wrist.rotation = from_rotation_vector(turn) * state.wrist.rotation;
+    if (oscillation.pivot != Vec3(0.0)) state.wrist.position = held - state.wrist.rotation * oscillation.pivot;
   }
   if (oscillation.flex != 0) {
     // Towards the fist, and no farther: a joint with less room moves less instead of stopping short.
@@ -219,11 +221,8 @@ void Performance::sample_hand(Side side, Tick time, const Transform& trunk, cons
   }
   const Skeleton& skeleton = signer_->figure().skeleton;
   const ArmNodes nodes = arm_nodes(skeleton, side);
-  const Transform parent{trunk.rotation, apply(trunk, skeleton.rest_position(skeleton.node(nodes.shoulder).parent))};
-  const ArmSolution arm = signer_->reach(side).limited(solve_arm(skeleton, side, parent, wrist, state.swivel));
-  pose.rotation[static_cast<size_t>(nodes.shoulder)] = arm.shoulder;
-  pose.rotation[static_cast<size_t>(nodes.elbow)] = arm.elbow;
-  pose.rotation[static_cast<size_t>(nodes.wrist)] = arm.wrist;
+  const Transform base{trunk.rotation, apply(trunk, skeleton.rest_position(nodes.trunk))};
+  pose_arm(nodes, signer_->reach(side).limited(solve_arm(skeleton, side, base, wrist, state.swivel)), pose);
   pose_hand(skeleton, side, state.angles, pose);
 }
 

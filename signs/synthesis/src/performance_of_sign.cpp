@@ -44,6 +44,7 @@ HandSegment mirror(const HandSegment& segment) {
   image.oscillation.shift = mirror(segment.oscillation.shift);
   image.oscillation.turn = mirror_turn(segment.oscillation.turn);
   image.oscillation.turn_ahead = mirror_turn(segment.oscillation.turn_ahead);
+  image.oscillation.pivot = mirror(segment.oscillation.pivot);
   return image;
 }
 
@@ -135,6 +136,7 @@ class SignBuilder {
   void add_local(const Step& step);
   void add_tap(const Movement& movement, size_t phase);
   void add_hold(size_t phase, double seconds);
+  void quicken();
   void stroke_to(size_t from, size_t to, double factor);
   /// What the hands do between two phases without a movement; the left one only where it has postures of its own.
   std::array<HandSegment, 2> plain(size_t from, size_t to) const;
@@ -247,6 +249,8 @@ Oscillation SignBuilder::oscillation_of(const Movement& movement, size_t side, s
   if (movement.growth == Growth::kIncreasing) oscillation.growth = kGrown;
   if (movement.growth == Growth::kDecreasing) oscillation.growth = 1.0 / kGrown;
   const double shift = stroke::amplitude(movement.size) * 0.5;
+  // What touches stays where it touches.
+  const Vec3 pivot = hand.touching ? hand.part : Vec3(0.0);
   switch (movement.kind) {
     case MoveKind::kShake:
     case MoveKind::kSway:
@@ -268,19 +272,23 @@ Oscillation SignBuilder::oscillation_of(const Movement& movement, size_t side, s
       break;
     case MoveKind::kTwist:
       oscillation.turn = fingers * stroke::turn(movement.size);
+      oscillation.pivot = pivot;
       break;
     case MoveKind::kNod:
       oscillation.turn = radial * stroke::turn(movement.size);
+      oscillation.pivot = pivot;
       break;
     case MoveKind::kSwing:
       // A wrist gives less to the sides than up and down.
       oscillation.turn = palm * (0.6 * stroke::turn(movement.size));
+      oscillation.pivot = pivot;
       break;
     case MoveKind::kStir: {
       const double cone = 0.6 * stroke::turn(movement.size);
       // Clockwise as seen from the wrist along the fingers.
       oscillation.turn = palm * (movement.plane == Plane::kAnticlockwise ? cone : -cone);
       oscillation.turn_ahead = radial * cone;
+      oscillation.pivot = pivot;
       break;
     }
     case MoveKind::kWiggle:
@@ -455,6 +463,7 @@ void SignBuilder::add_oscillation(const Movement& movement, size_t side, const O
   sum.shift += more.shift;
   sum.turn += more.turn;
   sum.turn_ahead += more.turn_ahead;
+  if (more.turn != Vec3(0.0)) sum.pivot = more.pivot;
   if (more.wiggle != 0) {
     sum.wiggle = more.wiggle;
     sum.wiggling = more.wiggling;
@@ -627,6 +636,17 @@ void SignBuilder::add_local(const Step& step) {
   if (rest > 0) add_hold(phase, rest);
 }
 
+/// Brings a long movement nearer to the time of one stroke.
+void SignBuilder::quicken() {
+  double moving = 0;
+  for (const Beat& beat : result_.beats)
+    if (!beat.hold) moving += beat.seconds;
+  if (moving <= stroke::kLongStroke) return;
+  const double factor = (stroke::kLongStroke + stroke::kShareOfRest * (moving - stroke::kLongStroke)) / moving;
+  for (Beat& beat : result_.beats)
+    if (!beat.hold) beat.seconds *= factor;
+}
+
 Result<SignPerformance> SignBuilder::build() {
   if (const auto checked = check(); !checked) return tl::unexpected(checked.error());
   place_phases();
@@ -646,6 +666,7 @@ Result<SignPerformance> SignBuilder::build() {
     stroke_to(current, current + 1, 1.0);
     ++current;
   }
+  quicken();
   add_hold(current, unit_.spelled ? stroke::kLetterHold : stroke::kSignHold);
   const Beat& first = result_.beats.front();
   result_.start = {first.hands[kLeft].from, first.hands[kRight].from};

@@ -144,7 +144,7 @@ Signer::Signer(const Figure& figure, BodySites body, std::array<HandSites, 2> ha
   const Skeleton& skeleton = figure.skeleton;
   for (size_t side = 0; side < 2; ++side) {
     const ArmNodes& nodes = nodes_[side];
-    parent_[side] = skeleton.rest_position(skeleton.node(nodes.shoulder).parent);
+    trunk_[side] = skeleton.rest_position(nodes.trunk);
     std::vector<Site> lower = surface_.patch(nodes.shoulder).points;
     const Vec3 bone = skeleton.node(nodes.elbow).offset;
     std::erase_if(lower,
@@ -166,11 +166,12 @@ Result<Signer> Signer::build(const Figure& figure, const FigureTraits& traits) {
 ArmPlacement Signer::place_arm(Side side, const HandState& state) const {
   const Skeleton& skeleton = figure_->skeleton;
   const ArmNodes& nodes = nodes_[static_cast<size_t>(side)];
-  const Transform parent{kIdentity, parent_[static_cast<size_t>(side)]};
+  Transform above{kIdentity, trunk_[static_cast<size_t>(side)]};
   const ArmSolution arm =
-      reach(side).solve({state.wrist.rotation, state.wrist.position - parent.position}, state.swivel);
+      reach(side).solve({state.wrist.rotation, state.wrist.position - above.position}, state.swivel);
+  if (nodes.clavicle != kNoNode) above = {arm.clavicle, apply(above, skeleton.node(nodes.clavicle).offset)};
   ArmPlacement placed;
-  placed.shoulder = {parent.rotation * arm.shoulder, apply(parent, skeleton.node(nodes.shoulder).offset)};
+  placed.shoulder = {above.rotation * arm.shoulder, apply(above, skeleton.node(nodes.shoulder).offset)};
   placed.elbow = {placed.shoulder.rotation * arm.elbow, apply(placed.shoulder, skeleton.node(nodes.elbow).offset)};
   placed.wrist = {placed.elbow.rotation * arm.wrist, apply(placed.elbow, skeleton.node(nodes.wrist).offset)};
   return placed;
@@ -285,15 +286,15 @@ void Signer::bring(Side side, const Meeting& meeting, const OtherHand& counterpa
   if (meets_other) other_points = hand_points(other(side), *counterpart.state);
   const auto admit = [&](const Vec3& pivot, Transform& wrist, double& swivel) {
     constexpr double kEnough = 0.5 * kDegree, kStep = 5.0 * kDegree;
-    const Vec3& parent = parent_[static_cast<size_t>(side)];
-    const Vec3 place = apply(wrist, pivot) - parent;
+    const Vec3& trunk = trunk_[static_cast<size_t>(side)];
+    const Vec3 place = apply(wrist, pivot) - trunk;
     // A centimetre of the forearm in something is as bad as fourteen degrees of leaning.
     const auto missing = [&](const ArmReach::Reached& reached, double trial_swivel, double enough) {
       const double of_limits =
           reached.lean + 3.0 * reached.excess + (wish.lifts ? 0.0 : kHighElbowLean * elbow_height(side, reached.arm));
       if (of_limits >= enough) return of_limits;
       HandState trial = state;
-      trial.wrist = {reached.wrist.rotation, reached.wrist.position + parent};
+      trial.wrist = {reached.wrist.rotation, reached.wrist.position + trunk};
       trial.swivel = trial_swivel;
       const double too_deep = 1.001 * (enough - of_limits) / 25.0;
       double deepest = arm_depth(side, trial, of_arm, mirrored_at, too_deep);
@@ -316,7 +317,7 @@ void Signer::bring(Side side, const Meeting& meeting, const OtherHand& counterpa
         swivel += sign * kStep;
       }
     }
-    wrist = {best.wrist.rotation, best.wrist.position + parent};
+    wrist = {best.wrist.rotation, best.wrist.position + trunk};
     return best.excess;
   };
   // It comes from outside, so that what it meets is met from the right side. Where something is in the way it tries
@@ -384,7 +385,7 @@ void Signer::bring(Side side, const Meeting& meeting, const OtherHand& counterpa
 
 Vec3 Signer::settle(Side side, const Wish& wish, std::span<const Obstacle> obstacles, HandState& state) const {
   const ArmReach& arm = reach_[static_cast<size_t>(side)];
-  const Vec3& parent = parent_[static_cast<size_t>(side)];
+  const Vec3& trunk = trunk_[static_cast<size_t>(side)];
   constexpr int kCoarse = 3, kFine = 8;  // rounds
   struct Candidate {
     double swivel = 0.0, cost = 1e9;
@@ -396,9 +397,8 @@ Vec3 Signer::settle(Side side, const Wish& wish, std::span<const Obstacle> obsta
     return away * away + kRaisedCost * raised * raised;
   };
   const auto free_of_depth = [&](double swivel, const Vec3& shift, int rounds) {
-    const ArmReach::Reached reached =
-        arm.reach(wish.rotation, wish.pivot, wish.target + shift - parent, swivel, rounds);
-    Candidate candidate{swivel, 0.0, {reached.wrist.rotation, reached.wrist.position + parent}, true};
+    const ArmReach::Reached reached = arm.reach(wish.rotation, wish.pivot, wish.target + shift - trunk, swivel, rounds);
+    Candidate candidate{swivel, 0.0, {reached.wrist.rotation, reached.wrist.position + trunk}, true};
     const double lean = std::max(0.0, reached.lean - kFreeLean), far = std::max(0.0, reached.lean - kTrueLean);
     const double high = wish.lifts ? 0.0 : elbow_height(side, reached.arm);
     candidate.cost = of_swivel(swivel) + kHighElbowCost * high * high + kLeanCost * lean * lean +
@@ -492,7 +492,8 @@ double Signer::arm_depth(Side side, const HandState& state, std::span<const Obst
 }
 
 double Signer::elbow_height(Side side, const ArmSolution& arm) const {
-  const Vec3 upper = unit(arm.shoulder * figure_->skeleton.node(nodes_[static_cast<size_t>(side)].elbow).offset);
+  const Vec3& bone = figure_->skeleton.node(nodes_[static_cast<size_t>(side)].elbow).offset;
+  const Vec3 upper = unit(arm.clavicle * (arm.shoulder * bone));
   return std::max(0.0, upper.y + kEasyHeight);
 }
 

@@ -17,6 +17,9 @@ inline constexpr double kSignHold = 0.085;
 inline constexpr double kLetterHold = 0.15;
 inline constexpr double kLeastSignHold = 0.08;  ///< at any speed
 inline constexpr double kLeastLetterHold = 0.12;
+// What is made several times is made quicker: of a movement that takes longer than a stroke of fluent signing, half of
+// the rest is left. Two signs are then seldom more than two thirds of a second apart.
+inline constexpr double kLongStroke = 0.35, kShareOfRest = 0.35;
 inline constexpr double kRestHold = 0.30;  ///< after a movement that is written with a rest
 inline constexpr double kShortestTransition = 0.15;
 inline constexpr double kLongestTransition = 0.45;

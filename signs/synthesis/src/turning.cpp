@@ -19,10 +19,9 @@ constexpr double kNoTurn = 1e-3;
 
 ArmSolution arm_of(const Signer& signer, Side side, const HandState& state) {
   const Skeleton& skeleton = signer.figure().skeleton;
-  const int parent = skeleton.node(arm_nodes(skeleton, side).shoulder).parent;
-  const Vec3 from_parent = state.wrist.position - skeleton.rest_position(parent);
+  const Vec3 from_trunk = state.wrist.position - skeleton.rest_position(arm_nodes(skeleton, side).trunk);
   const ArmReach& reach = signer.reach(side);
-  return reach.limited(reach.solve({state.wrist.rotation, from_parent}, state.swivel));
+  return reach.limited(reach.solve({state.wrist.rotation, from_trunk}, state.swivel));
 }
 
 JointAngles middle(const JointAngles& a, const JointAngles& b) {
@@ -51,7 +50,10 @@ double seconds_by_steps(const Signer& signer, Side side, const HandSegment& segm
   // Where the wrist truly is: the limits of the joints may keep it from its path.
   const ArmNodes nodes = arm_nodes(skeleton, side);
   const Vec3 upper = skeleton.node(nodes.elbow).offset, fore = skeleton.node(nodes.wrist).offset;
-  const auto place_of = [&](const ArmSolution& arm) { return arm.shoulder * (upper + arm.elbow * fore); };
+  const Vec3 clavicle = skeleton.node(nodes.shoulder).offset;
+  const auto place_of = [&](const ArmSolution& arm) {
+    return arm.clavicle * (clavicle + arm.shoulder * (upper + arm.elbow * fore));
+  };
   DigitRotations hand_before;
   if (with_digits) hand_before = signer.hand(side).rotations(segment.from.angles);
   double needed = 0.0;
@@ -59,7 +61,8 @@ double seconds_by_steps(const Signer& signer, Side side, const HandSegment& segm
     const HandState state = state_at(second, kTicksPerSecond * i / steps);
     const ArmSolution now = arm_of(signer, side, state);
     const Vec3 way = place_of(now) - place_of(before);
-    needed = std::max({needed, angle_between(before.shoulder, now.shoulder) * steps / joint_speed::kShoulder,
+    needed = std::max({needed, angle_between(before.clavicle, now.clavicle) * steps / joint_speed::kClavicle,
+                       angle_between(before.shoulder, now.shoulder) * steps / joint_speed::kShoulder,
                        angle_between(before.elbow, now.elbow) * steps / joint_speed::kElbow,
                        angle_between(before.wrist, now.wrist) * steps / joint_speed::kWrist,
                        std::sqrt(glm::dot(way, way)) * steps / joint_speed::kWristInSpace});
@@ -80,6 +83,7 @@ double seconds_by_steps(const Signer& signer, Side side, const HandSegment& segm
 double fastest_turn(std::string_view node) {
   if (node == "spine_base") return joint_speed::kTrunk;
   if (node == "neck_base" || node == "head_base") return joint_speed::kNeck;
+  if (node.starts_with("clavicle_")) return joint_speed::kClavicle;
   if (node.starts_with("shoulder_")) return joint_speed::kShoulder;
   if (node.starts_with("elbow_")) return joint_speed::kElbow;
   if (node.starts_with("wrist_")) return joint_speed::kWrist;
@@ -102,7 +106,7 @@ std::optional<Quat> turn_through_joints(const Signer& signer, Side side, const H
       middle(joint_angles(skeleton, nodes.elbow, from.elbow), joint_angles(skeleton, nodes.elbow, to.elbow)).twist;
   const JointAngles wrist =
       middle(joint_angles(skeleton, nodes.wrist, from.wrist), joint_angles(skeleton, nodes.wrist, to.wrist));
-  return arm.shoulder * from_joint_angles(skeleton, nodes.elbow, elbow) *
+  return arm.clavicle * arm.shoulder * from_joint_angles(skeleton, nodes.elbow, elbow) *
          from_joint_angles(skeleton, nodes.wrist, wrist);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a table of measurements to a figure: 39 joints and a closed, coloured mesh for each.
+// From a table of measurements to a figure: 41 joints and closed, coloured meshes.
 #pragma once
 
 #include "kinematics/figure.h"

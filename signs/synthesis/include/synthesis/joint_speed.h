@@ -17,7 +17,8 @@ namespace auslan {
 /// Radians a second that a joint may turn against its parent.
 namespace joint_speed {
 inline constexpr double kTrunk = 120 * kDegree;
-inline constexpr double kNeck = 390 * kDegree;  ///< neck and head share the head's turn
+inline constexpr double kNeck = 390 * kDegree;      ///< neck and head share the head's turn
+inline constexpr double kClavicle = 120 * kDegree;  ///< the shoulder then moves by 0.3 m/s: as the trunk, slowly
 inline constexpr double kShoulder = 900 * kDegree;
 inline constexpr double kElbow = 1200 * kDegree;  ///< bend and the forearm's turn together
 inline constexpr double kWrist = 1200 * kDegree;
@@ -26,7 +27,7 @@ inline constexpr double kDigit = 1200 * kDegree;
 inline constexpr double kWristInSpace = 3.7;
 }  // namespace joint_speed
 
-/// Of a node by its name; of nodes that are not of the 39 that of a digit.
+/// Of a node by its name; of nodes that are neither of the 39 nor clavicles that of a digit.
 double fastest_turn(std::string_view node);
 
 }  // namespace auslan

@@ -42,8 +42,9 @@ struct HandState {
 /// A movement laid over a segment: value = amplitude * sin(2 pi (cycles * tau + phase)), faded in and out.
 struct Oscillation {
   Vec3 shift{0.0};       ///< metres
-  Vec3 turn{0.0};        ///< rotation vector of the hand about the wrist, world axes, radians
+  Vec3 turn{0.0};        ///< rotation vector of the hand, world axes, radians
   Vec3 turn_ahead{0.0};  ///< the same a quarter cycle ahead: with `turn` the hand stirs
+  Vec3 pivot{0.0};       ///< about which it turns, wrist frame: the wrist, or what touches
   /// Finger flexion at the knuckle, radians, each finger a quarter cycle after its neighbour; negative: they are only
   /// lifted off what they touch.
   double wiggle = 0;

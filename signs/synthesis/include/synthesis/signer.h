@@ -157,7 +157,7 @@ class Signer {
   std::array<ArmReach, 2> reach_;
   std::array<HandFrame, 2> frames_;
   std::array<ArmNodes, 2> nodes_;
-  std::array<Vec3, 2> parent_;                   ///< of the shoulder, world, trunk at rest
+  std::array<Vec3, 2> trunk_;                    ///< the node that carries the arm, world, at rest
   std::array<SurfacePatch, 2> lower_upper_arm_;  ///< the half of an upper arm that the trunk does not hold; node frame
 };
 
