@@ -2,7 +2,9 @@
 // The list of what is known to break a limit: what is read, what is refused, and what it excuses.
 #include "check/exceptions.h"
 
+#include <fstream>
 #include <gtest/gtest.h>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -98,6 +100,28 @@ TEST(CheckExceptions, TheWrittenListExcusesWhatItWasWrittenForWithLittleRoom) {
     EXPECT_GE(room, 1.0);
     EXPECT_LE(room, 1.15);
   }
+}
+
+TEST(CheckExceptions, AReasonThatSomebodyWroteIsKeptWhileItsBoundHolds) {
+  const std::vector<Checked> all = {checked("HURT", Measure::kContact, 4.0), checked("NECK", Measure::kContact, 6.0),
+                                    checked("EYE", Measure::kContact, 5.0)};
+  const auto made =
+      exceptions_for(all, list("HURT contact 4.5 the sleeve\nNECK contact 5 the collar\nEAR contact 9 x"));
+  ASSERT_EQ(made.size(), 3U);
+  EXPECT_EQ(made[0].reason, "the sleeve");
+  EXPECT_EQ(made[0].bound, 4.5);
+  EXPECT_TRUE(made[1].reason.starts_with(kUnreviewed)) << made[1].reason;
+  EXPECT_GE(made[1].bound, 6.0);
+  EXPECT_TRUE(made[2].reason.starts_with(kUnreviewed)) << made[2].reason;
+}
+
+TEST(CheckExceptions, SomebodyHasLookedAtEachOfTheShippedOnes) {
+  std::ifstream file(std::string(AUSLANJAM_SOURCE_DIR) + "/assets/check_exceptions.txt");
+  const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  const auto shipped = read_exceptions(text, "check_exceptions.txt");
+  ASSERT_TRUE(shipped) << to_string(shipped.error());
+  for (const CheckException& one : *shipped)
+    EXPECT_FALSE(one.reason.starts_with(kUnreviewed)) << one.subject << " " << info(one.measure).name;
 }
 
 }  // namespace

@@ -46,6 +46,18 @@ double with_room(Measure measure, double value) {
   return step < 1.0 ? steps / std::round(1.0 / step) : steps * step;
 }
 
+std::map<Key, const CheckException*> by_key(std::span<const CheckException> exceptions) {
+  std::map<Key, const CheckException*> listed;
+  for (const CheckException& one : exceptions)
+    listed[{one.subject, one.measure}] = &one;
+  return listed;
+}
+
+/// A value outside of its measure's range.
+bool is_worse(Measure measure, double value, double bound) {
+  return info(measure).high < value ? value > bound : value < bound;
+}
+
 std::string named(const Checked& checked, Measure measure) {
   return checked.subject + " " + std::string(info(measure).name);
 }
@@ -97,14 +109,21 @@ Result<std::vector<CheckException>> read_exceptions(std::string_view text, const
   return list;
 }
 
-std::vector<CheckException> exceptions_for(std::span<const Checked> all) {
+std::vector<CheckException> exceptions_for(std::span<const Checked> all, std::span<const CheckException> before) {
+  const std::map<Key, const CheckException*> listed = by_key(before);
   std::vector<CheckException> list;
   for (const Checked& checked : all) {
     for (size_t i = 0; i < kMeasureCount; ++i) {
       const auto measure = static_cast<Measure>(i);
       if (checked.verdict.good(measure)) continue;
       const Measured& found = *checked.verdict.of(measure);
-      list.push_back({checked.subject, measure, with_room(measure, found.value), in_words(measure, found)});
+      const auto known = listed.find({checked.subject, measure});
+      if (known != listed.end() && !is_worse(measure, found.value, known->second->bound)) {
+        list.push_back(*known->second);
+        continue;
+      }
+      list.push_back({checked.subject, measure, with_room(measure, found.value),
+                      std::string(kUnreviewed) + " " + in_words(measure, found)});
     }
   }
   return list;
@@ -113,10 +132,12 @@ std::vector<CheckException> exceptions_for(std::span<const Checked> all) {
 std::string write_exceptions(std::span<const CheckException> exceptions) {
   std::string text =
       "# SPDX-License-Identifier: Apache-2.0\n"
-      "# What is known to break a limit of `auslanjam check`, how far at most, and what was measured:\n"
+      "# What is known to break a limit of `auslanjam check`, how far at most, and why it stays:\n"
       "#   SUBJECT MEASURE BOUND REASON\n"
       "# `auslanjam check` fails where something else breaks a limit, a bound is exceeded, or a line is needless.\n"
-      "# `auslanjam check --write-exceptions FILE` writes this list anew; the aim is an empty one.\n";
+      "# `auslanjam check --write-exceptions FILE` adds what is new as \"unreviewed\" and drops what is mended; "
+      "whoever has\n"
+      "# looked at the motion writes the reason. The aim is an empty list.\n";
   for (const CheckException& one : exceptions)
     text +=
         one.subject + " " + std::string(info(one.measure).name) + " " + decimal(one.bound) + " " + one.reason + "\n";
@@ -126,9 +147,7 @@ std::string write_exceptions(std::span<const CheckException> exceptions) {
 std::vector<CheckFinding> compare(std::span<const Checked> all, std::span<const CheckException> exceptions,
                                   bool whole) {
   using Kind = CheckFinding::Kind;
-  std::map<Key, const CheckException*> listed;
-  for (const CheckException& one : exceptions)
-    listed[{one.subject, one.measure}] = &one;
+  std::map<Key, const CheckException*> listed = by_key(exceptions);
   std::vector<CheckFinding> findings;
   for (const Checked& checked : all) {
     for (size_t i = 0; i < kMeasureCount; ++i) {
@@ -146,8 +165,7 @@ std::vector<CheckFinding> compare(std::span<const Checked> all, std::span<const 
       if (exception == nullptr) {
         findings.push_back({Kind::kNew, checked.subject, measure,
                             named(checked, measure) + " is outside its limit: " + in_words(measure, *found)});
-      } else if (info(measure).high < found->value ? found->value > exception->bound
-                                                   : found->value < exception->bound) {
+      } else if (is_worse(measure, found->value, exception->bound)) {
         findings.push_back({Kind::kWorse, checked.subject, measure,
                             named(checked, measure) + " is outside the " + decimal(exception->bound) +
                                 " of its exception: " + in_words(measure, *found)});

@@ -181,7 +181,7 @@ Result<void> run_check(const Options& options) {
   }
   if (auto printed = print(options.json ? as_json(report) : as_text(report)); !printed) return printed;
   if (!options.write_exceptions.empty())
-    return write_whole_file(options.write_exceptions, write_exceptions(exceptions_for(report.all)));
+    return write_whole_file(options.write_exceptions, write_exceptions(exceptions_for(report.all, *exceptions)));
   if (report.findings.empty()) return {};
   return fail(ErrorCode::kMalformed, std::to_string(report.findings.size()) + " findings beside " +
                                          std::to_string(report.exceptions) +

@@ -176,7 +176,10 @@ HandState state_after(const HandSegment& segment, double tau) {
   state.wrist.rotation = segment.turn_middle ? through(a.wrist.rotation, *segment.turn_middle, b.wrist.rotation, s)
                                              : slerp(a.wrist.rotation, b.wrist.rotation, s);
   state.swivel = mix(a.swivel, b.swivel, s) + segment.swivel_bulge * (4.0 * s * (1.0 - s));
-  state.follows_head = mix(a.follows_head, b.follows_head, s);
+  // Off the face, in the first half of the way, a hand leaves the head to itself; to the face it joins it in the
+  // second.
+  const double leaving = a.follows_head > b.follows_head ? 2.0 * tau : 2.0 * tau - 1.0;
+  state.follows_head = mix(a.follows_head, b.follows_head, minimum_jerk(std::clamp(leaving, 0.0, 1.0)));
   if (a.follows_head == 0.0) {
     state.on_face = b.on_face;
   } else {

@@ -22,8 +22,11 @@ struct CheckException {
   std::string subject;
   Measure measure = Measure::kContact;
   double bound = 0.0;  ///< the worst value that is accepted: a largest above the measure's range, a least below it
-  std::string reason;
+  std::string reason;  ///< begins with kUnreviewed where nobody has looked at it yet
 };
+
+/// What a line says until somebody who has looked at the motion has written why it stays.
+inline constexpr std::string_view kUnreviewed = "unreviewed:";
 
 /// What was checked.
 struct Checked {
@@ -35,8 +38,9 @@ struct Checked {
 /// that is no number or within the range, an empty reason, or a subject and measure that were listed before.
 Result<std::vector<CheckException>> read_exceptions(std::string_view text, const std::string& name);
 
-/// The list of everything that breaks a limit, bounds rounded up by a tenth at most, in the order of `all`.
-std::vector<CheckException> exceptions_for(std::span<const Checked> all);
+/// The list of everything that breaks a limit, in the order of `all`. What a line of `before` covers keeps that line
+/// with its reason; the others are unreviewed, their bounds rounded up by a tenth at most.
+std::vector<CheckException> exceptions_for(std::span<const Checked> all, std::span<const CheckException> before = {});
 std::string write_exceptions(std::span<const CheckException> exceptions);
 
 struct CheckFinding {
