@@ -21,7 +21,7 @@ constexpr double kCellsAcross = 5.0, kSmallest = 0.0035, kLargest = 0.007;
 constexpr double kMargin = 0.016;
 // Nearer to the surface than this its normal is the way out, metres.
 constexpr double kOnSurface = 1e-5;
-constexpr int kBlock = 4;  // cells along the edge of a block
+constexpr uint32_t kBlock = 4;  // cells along the edge of a block
 // So many along an axis are nearly two metres; what is larger has cells at one of its corners only.
 constexpr int kMostBlocks = 64;
 
@@ -54,8 +54,9 @@ struct DistanceField::State {
     size_t all = 1;
     for (size_t i = 0; i < 3; ++i) {
       const double cells = (extent[static_cast<glm::length_t>(i)] + 2.0 * kMargin) / cell;
-      blocks_along[i] = static_cast<int>(std::min(cells / kBlock, kMostBlocks - 1.0)) + 1;
-      all *= static_cast<size_t>(blocks_along[i]);
+      blocks_along[i] = static_cast<uint32_t>(std::min(cells / kBlock, kMostBlocks - 1.0)) + 1;
+      cells_along[i] = blocks_along[i] * kBlock;
+      all *= blocks_along[i];
     }
     blocks = std::make_unique<std::atomic<Block*>[]>(all);
     size = all;
@@ -78,19 +79,19 @@ struct DistanceField::State {
 
   /// Nothing for a point beyond the field.
   std::optional<SurfacePlane> find(const Vec3& point) const {
-    std::array<int, 3> index{};
+    std::array<uint32_t, 3> index{};
     Vec3 middle(0.0);
     for (size_t i = 0; i < 3; ++i) {
       const auto axis = static_cast<glm::length_t>(i);
       const double along = (point[axis] - origin[axis]) * cells_per_metre;
-      if (!(along >= 0.0 && along < blocks_along[i] * kBlock)) return std::nullopt;
-      index[i] = static_cast<int>(along);
+      if (!(along >= 0.0 && along < cells_along[i])) return std::nullopt;
+      index[i] = static_cast<uint32_t>(static_cast<int>(along));
       middle[axis] = origin[axis] + (index[i] + 0.5) * cell;
     }
     const auto in_block = [&index](size_t i) { return index[i] % kBlock; };
-    Block& cells = block(static_cast<size_t>(
-        (index[2] / kBlock * blocks_along[1] + index[1] / kBlock) * blocks_along[0] + index[0] / kBlock));
-    Cell& own = cells[static_cast<size_t>((in_block(2) * kBlock + in_block(1)) * kBlock + in_block(0))];
+    Block& cells =
+        block((index[2] / kBlock * blocks_along[1] + index[1] / kBlock) * blocks_along[0] + index[0] / kBlock);
+    Cell& own = cells[(in_block(2) * kBlock + in_block(1)) * kBlock + in_block(0)];
     if (own.status.load(std::memory_order_acquire) == Cell::kMade)
       return linear(own.distance, own.normal, point - middle);
     const SurfacePlane seen = seen_from(solid, middle);
@@ -113,7 +114,8 @@ struct DistanceField::State {
   Solid solid;
   double cell = 1.0, cells_per_metre = 1.0;  ///< metres
   Vec3 origin{0.0};
-  std::array<int, 3> blocks_along{};
+  std::array<uint32_t, 3> blocks_along{};
+  std::array<double, 3> cells_along{};
   std::unique_ptr<std::atomic<Block*>[]> blocks;
   size_t size = 0;
 };

@@ -9,7 +9,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <optional>
+#include <vector>
 
 namespace auslan {
 namespace {
@@ -154,8 +156,8 @@ class DeepPoints {
       pieces += patch.pieces.size();
     }
     of_patch_.resize(hand.size() * obstacles.size(), 0.0);
-    of_piece_.resize(pieces * obstacles.size(), 0.0);
-    of_point_.resize(points * obstacles.size(), 0.0);
+    of_piece_.resize(pieces * obstacles.size());
+    of_point_ = std::make_unique_for_overwrite<double[]>(points * obstacles.size());
   }
 
   /// Calls `deep(point, depth beyond what is allowed, way out)` for each.
@@ -163,7 +165,8 @@ class DeepPoints {
   void each(const Transform& wrist, const Deep& deep) {
     travel_.to(wrist);
     double* of_patch = of_patch_.data();
-    double *of_piece = of_piece_.data(), *of_point = of_point_.data();
+    OfPiece* of_piece = of_piece_.data();
+    double* of_point = of_point_.get();
     const Motion in_world(wrist);
     for (const SurfacePatch& patch : hand_) {
       const double gone = travel_.of(length(patch.centre) + patch.radius);
@@ -177,19 +180,26 @@ class DeepPoints {
   }
 
  private:
+  struct OfPiece {
+    double clear = 0.0;
+    bool has_points = false;  ///< its points have been looked at
+  };
   /// `clear`: of how far the hand may have gone in all until something has to be looked at again.
   template <class Deep>
   static void each_of(const SurfacePatch& patch, const Vec3& centre, const Obstacle& obstacle, const Transform& wrist,
-                      double gone, double& clear, double* of_piece, double* of_point, const Deep& deep) {
+                      double gone, double& clear, OfPiece* of_piece, double* of_point, const Deep& deep) {
     if (gone < clear) return;
     const Motion in_solid(solid_from(obstacle, wrist));
     clear = gone + clear_by(centre, patch, obstacle, in_solid);
     if (gone < clear) return;
     for (const SurfacePatch::Piece& piece : patch.pieces) {
-      if (gone < *of_piece++) continue;
+      OfPiece& of_this = *of_piece++;
+      if (gone < of_this.clear) continue;
       double above = clear_by(piece, obstacle, obstacle.allowed, in_solid);
-      of_piece[-1] = gone + above;
+      of_this.clear = gone + above;
       if (above > 0.0) continue;
+      if (!of_this.has_points) std::fill_n(of_point + piece.first, piece.count, 0.0);
+      of_this.has_points = true;
       for (size_t i = piece.first; i < size_t{piece.first} + piece.count; ++i) {
         if (gone < of_point[i]) continue;
         const Vec3 point = in_solid(patch.points[i].position);
@@ -204,7 +214,9 @@ class DeepPoints {
 
   std::span<const SurfacePatch> hand_;
   std::span<const Obstacle> obstacles_;
-  std::vector<double> of_patch_, of_piece_, of_point_;
+  std::vector<double> of_patch_;
+  std::vector<OfPiece> of_piece_;
+  std::unique_ptr<double[]> of_point_;
   Travel travel_;
 };
 
@@ -347,12 +359,13 @@ HandFit fit_hand(const Transform& world_from_wrist, double swivel, std::span<con
   double least_trouble = 1e9;
   NearestTouch nearest_touch(goal);
   Depths depths(hand, goal);
+  struct Deep {
+    Row row;
+    double depth;
+  };
+  std::vector<Deep> deep;
   for (int iteration = 0; iteration <= kIterations; ++iteration) {
-    struct Deep {
-      Row row;
-      double depth;
-    };
-    std::vector<Deep> deep;
+    deep.clear();
     double deepest = 0.0;
     const auto too_deep = [&](const Vec3& point, double depth, const Vec3& out) {
       deep.push_back({row_along(out, wrist.rotation * point), depth});

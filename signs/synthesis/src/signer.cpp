@@ -39,7 +39,7 @@ constexpr double kComesFrom = 0.03, kWell = 0.002;
 // What is no deeper or farther off than this is seen as touching; a hand that gets nowhere sets out from farther off.
 constexpr double kStillRight = 0.0028, kFarthestOut = 0.12;  // metres
 // What costs more than this is not made right by tilting, metres.
-constexpr double kHopeless = 0.03;
+constexpr double kHopeless = 0.025;
 constexpr double kTilt = 25.0 * kDegree;
 constexpr double kShiftCost = 1000.0, kLargestShift = 0.1;  // of a hand in the air; per square metre, metres
 
