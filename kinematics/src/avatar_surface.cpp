@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The surface of a foreign figure in its rest pose, cut into the segments that the solver touches with and on.
+#include "avatar_cuts.h"
 #include "avatar_fit.h"
 #include "kinematics/rotation.h"
 #include "kinematics/surface.h"
@@ -25,8 +26,13 @@ int segment_of(int driver) {
 /// Appends triangles of one part to segments.
 class Cutter {
  public:
-  Cutter(Figure& figure, const AvatarPoser::Part& part, const Skin& skin)
-      : figure_(figure), part_(part), skin_(skin), local_(part.positions.size(), kNone), by_node_(kNodes) {}
+  Cutter(Figure& figure, const AvatarPoser::Part& part, const Skin& skin, Cuts& cuts)
+      : figure_(figure),
+        part_(part),
+        skin_(skin),
+        cuts_(cuts),
+        local_(part.positions.size(), kNone),
+        by_node_(kNodes) {}
 
   void add(std::span<const uint32_t> indices) {
     const double lowest = figure_.skeleton.rest_position(kTrunk).y - kTrunkReach;
@@ -34,7 +40,10 @@ class Cutter {
       const std::array<int, 3> nodes = {segment_of(skin_.driver[indices[i]]), segment_of(skin_.driver[indices[i + 1]]),
                                         segment_of(skin_.driver[indices[i + 2]])};
       const int node = nodes[1] == nodes[2] ? nodes[1] : nodes[0];
-      if (node == kTrunk && static_cast<double>(part_.positions[indices[i]].y) < lowest) continue;
+      const bool is_leg = node == kTrunk && static_cast<double>(part_.positions[indices[i]].y) < lowest;
+      cuts_.add(is_leg ? kNoNode : node,
+                {part_.positions[indices[i]], part_.positions[indices[i + 1]], part_.positions[indices[i + 2]]});
+      if (is_leg) continue;
       by_node_[static_cast<size_t>(node)].insert(by_node_[static_cast<size_t>(node)].end(),
                                                  {indices[i], indices[i + 1], indices[i + 2]});
     }
@@ -62,6 +71,7 @@ class Cutter {
   Figure& figure_;
   const AvatarPoser::Part& part_;
   const Skin& skin_;
+  Cuts& cuts_;
   std::vector<uint32_t> local_;
   std::vector<std::vector<uint32_t>> by_node_;
 };
@@ -195,12 +205,14 @@ bool is_shown(const AvatarSurface& surface) {
 
 void cut_surface(SigningAvatar& fitted, std::span<const AvatarPoser::Part> parts, std::span<const Skin> skins) {
   fitted.figure.segments.resize(kNodes);
+  Cuts cuts;
   for (size_t p = 0; p < parts.size(); ++p) {
-    Cutter cutter(fitted.figure, parts[p], skins[p]);
+    Cutter cutter(fitted.figure, parts[p], skins[p], cuts);
     for (const AvatarSurface& surface : fitted.avatar.meshes[static_cast<size_t>(parts[p].mesh)].surfaces)
       if (surface.vertices == parts[p].vertices && is_shown(surface)) cutter.add(surface.indices);
     cutter.finish();
   }
+  cuts.close(fitted.figure);
   fill_hand(fitted.figure, Side::kLeft);
   fill_hand(fitted.figure, Side::kRight);
 }
