@@ -5,7 +5,7 @@ namespace auslan {
 
 FigureTraits Body::traits() const {
   if (avatar == nullptr) return {};
-  return {.face = avatar->face};
+  return {.face = avatar->face, .is_foreign = true};
 }
 
 Result<Stage> Body::stage(const StageOptions& options) const {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "synthesis/body_surface.h"
 
+#include "kinematics/rotation.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -13,24 +15,36 @@ struct PointCounts {
   size_t fine, coarse;
 };
 constexpr PointCounts kOfDigit{72, 14}, kOfPalm{240, 48}, kOfArm{300, 72};
+// Closely: what the corners of an arm's large triangles leave out, a breast may go into.
+constexpr PointCounts kCloselyOfDigit{72, 42}, kCloselyOfPalm{240, 144}, kCloselyOfArm{900, 216};
 constexpr uint32_t kPiece = 10;  // points of a piece that is not divided
 
 double squared(const Vec3& v) {
   return glm::dot(v, v);
 }
 
+/// A mesh's vertices, and the middles of its triangles if they are wanted.
+std::vector<Site> sites_of(const Mesh& mesh, bool middles) {
+  std::vector<Site> sites;
+  for (size_t i = 0; i < mesh.positions.size(); ++i)
+    sites.push_back({Vec3(mesh.positions[i]), Vec3(mesh.normals[i])});
+  for (size_t i = 0; middles && i + 2 < mesh.indices.size(); i += 3) {
+    const Site &a = sites[mesh.indices[i]], &b = sites[mesh.indices[i + 1]], &c = sites[mesh.indices[i + 2]];
+    sites.push_back({(a.position + b.position + c.position) / 3.0, unit(a.normal + b.normal + c.normal, a.normal)});
+  }
+  return sites;
+}
+
 /// Each next point is the one farthest from all before it (Gonzalez 1985).
-std::vector<Site> spread(const Mesh& mesh, size_t count) {
+std::vector<Site> spread(std::span<const Site> sites, size_t count) {
   std::vector<Site> points;
-  const size_t size = mesh.positions.size();
-  std::vector<double> distance(size, 1e9);
+  std::vector<double> distance(sites.size(), 1e9);
   size_t next = 0;
-  while (points.size() < std::min(count, size)) {
-    const Vec3 point(mesh.positions[next]);
-    points.push_back({point, Vec3(mesh.normals[next])});
+  while (points.size() < std::min(count, sites.size())) {
+    points.push_back(sites[next]);
     size_t farthest = 0;
-    for (size_t i = 0; i < size; ++i) {
-      distance[i] = std::min(distance[i], squared(Vec3(mesh.positions[i]) - point));
+    for (size_t i = 0; i < sites.size(); ++i) {
+      distance[i] = std::min(distance[i], squared(sites[i].position - points.back().position));
       if (distance[i] > distance[farthest]) farthest = i;
     }
     next = farthest;
@@ -78,14 +92,14 @@ void divide(SurfacePatch& patch, uint32_t first, uint32_t count) {
 
 }  // namespace
 
-BodySurface::BodySurface(const Figure& figure)
+BodySurface::BodySurface(const Figure& figure, bool closely)
     : fields_(figure.segments.size()), patches_(figure.segments.size()), coarse_patches_(figure.segments.size()) {
   const auto take = [&](int node, const PointCounts& points) {
     const auto index = static_cast<size_t>(node);
     const Mesh& mesh = figure.segments[index];
     if (mesh.indices.empty()) return;
     fields_[index].emplace(Solid(mesh));
-    const std::vector<Site> spread_out = spread(mesh, points.fine);
+    const std::vector<Site> spread_out = spread(sites_of(mesh, closely), points.fine);
     patches_[index] = in_pieces(spread_out);
     const size_t few = std::min(points.coarse, spread_out.size());
     coarse_patches_[index] = in_pieces({spread_out.begin(), spread_out.begin() + static_cast<std::ptrdiff_t>(few)});
@@ -94,12 +108,12 @@ BodySurface::BodySurface(const Figure& figure)
     take(figure.skeleton.find(name), {0, 0});
   for (const Side side : {Side::kLeft, Side::kRight}) {
     const ArmNodes arm = arm_nodes(figure.skeleton, side);
-    take(arm.shoulder, kOfArm);
-    take(arm.elbow, kOfArm);
-    take(arm.wrist, kOfPalm);
+    take(arm.shoulder, closely ? kCloselyOfArm : kOfArm);
+    take(arm.elbow, closely ? kCloselyOfArm : kOfArm);
+    take(arm.wrist, closely ? kCloselyOfPalm : kOfPalm);
     for (const auto& digit : arm.digits)
       for (const int node : digit)
-        take(node, kOfDigit);
+        take(node, closely ? kCloselyOfDigit : kOfDigit);
   }
 }
 

@@ -332,10 +332,7 @@ void Choreographer::add_beats(const SignPerformance& performance, const Unit& un
     for (const size_t side : {kLeft, kRight}) {
       if (!performance.active[side] || beat.hold || again) continue;
       const auto hand = static_cast<Side>(side);
-      segments[side].turn_middle = turn_through_joints(signer_, hand, segments[side]);
-      HandSegment left = segments[kLeft];
-      keep_clear(signer_, hand, segments[side], beat.surfaces[side],
-                 {side == kRight && performance.active[kLeft] ? &left : nullptr});
+      clear_stroke(signer_, beat, performance.active, side, segments);
       least = std::max(least, shortest_seconds(signer_, hand, segments[side]));
     }
     if (!beat.hold && !again) cleared.push_back({&beat, segments, least});

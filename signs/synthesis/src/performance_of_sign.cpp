@@ -4,6 +4,7 @@
 #include "kinematics/elementary.h"
 #include "phonology/vocabulary.h"
 #include "stroke.h"
+#include "turning.h"
 
 #include <algorithm>
 #include <cmath>
@@ -122,11 +123,16 @@ void stand_off(const TouchedSurfaces& touched, HandSegment& segment) {
 /// Lays one sign out for its dominant hand, and for the other as the relation of the hands asks.
 class SignBuilder {
  public:
+  /// `shift`: by how much what is in the air gives way; none: as the first of its postures asks.
   SignBuilder(const Signer& signer, const Utterance& utterance, const Unit& unit,
-              const std::array<HandState, 2>& waiting)
-      : signer_(signer), utterance_(utterance), unit_(unit), sign_(*unit.sign), waiting_(waiting) {}
+              const std::array<HandState, 2>& waiting, const std::optional<Vec3>& shift = std::nullopt)
+      : signer_(signer), utterance_(utterance), unit_(unit), sign_(*unit.sign), waiting_(waiting), shift_(shift) {}
 
   Result<SignPerformance> build();
+  /// Of what was built: how many times over what is not seen the worst of its postures and strokes is.
+  double trouble(const SignPerformance& built) const;
+  /// Whether anything is made in the air.
+  bool can_shift() const;
 
  private:
   const Handshape& shape(const Posture& posture) const { return utterance_.handshapes.find(posture.handshape)->second; }
@@ -163,6 +169,7 @@ class SignBuilder {
   const Unit& unit_;
   const Sign& sign_;
   const std::array<HandState, 2>& waiting_;
+  std::optional<Vec3> shift_;
   std::vector<PlacedHand> dominant_, base_;
   bool mirrored_ = false;  ///< the left hand is the right hand's image
   bool has_base_ = false;  ///< the left hand has postures of its own
@@ -213,6 +220,7 @@ void SignBuilder::place_phases() {
         (is_on_other_hand(alone.location) || (alone.contact->target && is_on_other_hand(*alone.contact->target))))
       alone.contact.reset();
     OtherHand nobody;
+    nobody.shift = shift_;
     if (i > 0) nobody.shift = base_.front().shift;
     base_.push_back(signer_.place(alone, shape(posture), Side::kLeft, nobody));
   }
@@ -226,9 +234,9 @@ void SignBuilder::place_phases() {
       dominant_.push_back(dominant_[*again]);
       continue;
     }
-    OtherHand other{has_base_ ? &base_[i].state : &waiting_[kLeft], mirrored_, has_base_, std::nullopt};
+    OtherHand other{has_base_ ? &base_[i].state : &waiting_[kLeft], mirrored_, has_base_, shift_};
     // A hand that keeps a place beside the base gives way as the base does.
-    if (i > 0) other.shift = dominant_.front().shift;
+    if (i > 0 && !shift_) other.shift = dominant_.front().shift;
     dominant_.push_back(signer_.place(posture, shape(posture), Side::kRight, other));
   }
 }
@@ -680,11 +688,60 @@ Result<SignPerformance> SignBuilder::build() {
   return std::move(result_);
 }
 
+bool SignBuilder::can_shift() const {
+  const auto in_air = [](const PlacedHand& hand) { return !hand.touching; };
+  return std::ranges::any_of(dominant_, in_air) || std::ranges::any_of(base_, in_air);
+}
+
+double SignBuilder::trouble(const SignPerformance& built) const {
+  constexpr double kSeenDepth = 0.001;  // metres, beyond what a way tolerates
+  double worst = 0.0;
+  for (const auto* postures : {&dominant_, &base_})
+    for (const PlacedHand& posture : *postures)
+      worst = std::max(worst, posture.trouble);
+  for (const Beat& beat : built.beats) {
+    if (beat.hold) continue;
+    std::array<HandSegment, 2> segments = beat.hands;
+    for (const size_t side : {kLeft, kRight})
+      if (built.active[side])
+        worst = std::max(worst, clear_stroke(signer_, beat, built.active, side, segments) / kSeenDepth);
+  }
+  return worst;
+}
+
 }  // namespace
+
+double clear_stroke(const Signer& signer, const Beat& beat, const std::array<bool, 2>& active, size_t side,
+                    std::array<HandSegment, 2>& segments) {
+  const auto hand = static_cast<Side>(side);
+  segments[side].turn_middle = turn_through_joints(signer, hand, segments[side]);
+  HandSegment left = segments[kLeft];
+  return keep_clear(signer, hand, segments[side], beat.surfaces[side],
+                    {side == kRight && active[kLeft] ? &left : nullptr});
+}
 
 Result<SignPerformance> perform(const Signer& signer, const Utterance& utterance, const Unit& unit,
                                 const std::array<HandState, 2>& waiting) {
-  return SignBuilder(signer, utterance, unit, waiting).build();
+  SignBuilder builder(signer, utterance, unit, waiting);
+  auto best = builder.build();
+  if (!best || !signer.seeks_longer() || !builder.can_shift()) return best;
+  // Other places for what is made in the air.
+  constexpr double kNear = 0.03, kFar = 0.05;  // metres
+  static constexpr Vec3 kShifts[] = {{0, 0, kNear}, {0, 0, -kNear}, {0, kNear, 0},   {0, -kNear, 0},
+                                     {kNear, 0, 0}, {-kNear, 0, 0}, {0, 0, kFar},    {0, kFar, 0},
+                                     {0, -kFar, 0}, {kFar, 0, 0},   {0, -kFar, kFar}};
+  double least = builder.trouble(*best);
+  for (const Vec3& shift : kShifts) {
+    if (least <= 1.0) break;
+    SignBuilder other(signer, utterance, unit, waiting, shift);
+    auto found = other.build();
+    if (!found) break;
+    const double trouble = other.trouble(*found);
+    if (trouble >= least) continue;
+    least = trouble;
+    best = std::move(found);
+  }
+  return best;
 }
 
 }  // namespace auslan

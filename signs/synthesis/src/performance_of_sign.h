@@ -31,6 +31,11 @@ struct SignPerformance {
   std::vector<Beat> beats;
 };
 
+/// Turns a hand of a stroke as its joints go and bends its path as keep_clear() does, against what the left hand does
+/// in `segments` meanwhile. Returns the depth that is left, metres.
+double clear_stroke(const Signer& signer, const Beat& beat, const std::array<bool, 2>& active, size_t side,
+                    std::array<HandSegment, 2>& segments);
+
 /// `waiting`: where a hand is that the sign does not use (its arm may be touched).
 Result<SignPerformance> perform(const Signer& signer, const Utterance& utterance, const Unit& unit,
                                 const std::array<HandState, 2>& waiting);

@@ -3,6 +3,7 @@
 
 #include "arm_sites.h"
 #include "hand_fit.h"
+#include "hand_starts.h"
 #include "kinematics/arm_ik.h"
 #include "kinematics/elementary.h"
 #include "kinematics/rotation.h"
@@ -40,6 +41,9 @@ constexpr double kComesFrom = 0.03, kWell = 0.002;
 constexpr double kStillRight = 0.0028, kFarthestOut = 0.12;  // metres
 // What costs more than this is not made right by tilting, metres.
 constexpr double kHopeless = 0.025;
+// What is sought for longer leans freely by this much and touches with what lies so much farther about the part; less
+// trouble than this is none.
+constexpr double kSoughtLean = 17.0 * kDegree, kFarBeside = 1.5, kUntroubled = 0.9;
 constexpr double kTilt = 25.0 * kDegree;
 constexpr double kShiftCost = 1000.0, kLargestShift = 0.1;  // of a hand in the air; per square metre, metres
 
@@ -133,11 +137,12 @@ HandState mirrored(const HandState& state) {
   return image;
 }
 
-Signer::Signer(const Figure& figure, BodySites body, std::array<HandSites, 2> hands)
+Signer::Signer(const Figure& figure, BodySites body, std::array<HandSites, 2> hands, bool seeks_longer)
     : figure_(&figure),
+      seeks_longer_(seeks_longer),
       body_(std::move(body)),
       hands_(std::move(hands)),
-      surface_(figure),
+      surface_(figure, seeks_longer),
       reach_{ArmReach(figure.skeleton, Side::kLeft), ArmReach(figure.skeleton, Side::kRight)},
       frames_{rest_hand_frame(figure.skeleton, Side::kLeft), rest_hand_frame(figure.skeleton, Side::kRight)},
       nodes_{arm_nodes(figure.skeleton, Side::kLeft), arm_nodes(figure.skeleton, Side::kRight)} {
@@ -160,15 +165,15 @@ Result<Signer> Signer::build(const Figure& figure, const FigureTraits& traits) {
   if (!left) return tl::unexpected(left.error());
   auto right = HandSites::build(figure, Side::kRight);
   if (!right) return tl::unexpected(right.error());
-  return Signer(figure, std::move(*body), {std::move(*left), std::move(*right)});
+  return Signer(figure, std::move(*body), {std::move(*left), std::move(*right)}, traits.is_foreign);
 }
 
-ArmPlacement Signer::place_arm(Side side, const HandState& state) const {
+ArmPlacement Signer::place_arm(Side side, const HandState& state, bool limited) const {
   const Skeleton& skeleton = figure_->skeleton;
   const ArmNodes& nodes = nodes_[static_cast<size_t>(side)];
   Transform above{kIdentity, trunk_[static_cast<size_t>(side)]};
-  const ArmSolution arm =
-      reach(side).solve({state.wrist.rotation, state.wrist.position - above.position}, state.swivel);
+  ArmSolution arm = reach(side).solve({state.wrist.rotation, state.wrist.position - above.position}, state.swivel);
+  if (limited) arm = reach(side).limited(arm);
   if (nodes.clavicle != kNoNode) above = {arm.clavicle, apply(above, skeleton.node(nodes.clavicle).offset)};
   ArmPlacement placed;
   placed.shoulder = {above.rotation * arm.shoulder, apply(above, skeleton.node(nodes.shoulder).offset)};
@@ -340,19 +345,19 @@ void Signer::bring(Side side, const Meeting& meeting, const OtherHand& counterpa
     if (direct.cost < fit.cost) fit = direct;
   }
   const auto is_bad = [](const HandFit& found) { return found.deepest > kStillRight || found.gap > kStillRight; };
+  Vec3 way = placed.touching ? site.normal : Vec3(0.0, 0.0, 1.0);
+  if (mirror) way = Vec3(outside, 0.0, 0.0);
+  if (meets_other && !placed.touching)
+    way = unit(
+        apply(state.wrist, local.position) -
+        apply(counterpart.state->wrist, hand(other(side)).site(HandPart::kPalm, counterpart.state->angles).position));
+  const auto out_of_all = [&](const Quat& rotation) {
+    Transform wrist{rotation, goal.target - rotation * local.position};
+    wrist.position += way_out(wrist, patches, goal, way, kFarthestOut) * way;
+    return wrist;
+  };
   if (is_bad(fit)) {
     // Turned as it is to be, out of everything, and from there.
-    Vec3 way = placed.touching ? site.normal : Vec3(0.0, 0.0, 1.0);
-    if (mirror) way = Vec3(outside, 0.0, 0.0);
-    if (meets_other && !placed.touching)
-      way = unit(
-          apply(state.wrist, local.position) -
-          apply(counterpart.state->wrist, hand(other(side)).site(HandPart::kPalm, counterpart.state->angles).position));
-    const auto out_of_all = [&](const Quat& rotation) {
-      Transform wrist{rotation, target - rotation * local.position};
-      wrist.position += way_out(wrist, patches, goal, way, kFarthestOut) * way;
-      return wrist;
-    };
     const Transform free_of_all = out_of_all(wish.rotation);
     const auto from = [&](Transform wrist, double swivel) {
       const double missing = goal.admit(local.position, wrist, swivel);
@@ -375,8 +380,35 @@ void Signer::bring(Side side, const Meeting& meeting, const OtherHand& counterpa
       for (const double tilt : {kTilt, -kTilt})
         if (is_bad(fit) && fit.cost < kHopeless) from(out_of_all(axis_angle(axis, tilt) * wish.rotation), state.swivel);
   }
+  const auto trouble_of = [&](const HandFit& found) {
+    return trouble(side, wish, placed.touching, of_arm, state, found);
+  };
+  if (seeks_longer_) placed.trouble = trouble_of(fit);
+  if (placed.trouble > kUntroubled) {
+    if (placed.touching) {
+      touching = points_about(local, patches, kFarBeside * beside(meeting.part), kAnyWay);
+      goal.region = touching;
+    }
+    goal.free_lean = kSoughtLean;
+    for (const HandStart& start : hand_starts(way)) {
+      if (placed.trouble <= kUntroubled) break;
+      goal.target = target + start.slide;
+      Transform wrist = out_of_all(start.turn * wish.rotation);
+      double swivel = start.swivel;
+      const double missing = goal.admit(local.position, wrist, swivel);
+      const HandFit found = fit_hand(wrist, swivel, patches, goal, missing);
+      const double left = trouble_of(found);
+      if (left >= placed.trouble) continue;
+      fit = found;
+      placed.trouble = left;
+    }
+  }
   state.wrist = fit.wrist;
   state.swivel = fit.swivel;
+  // What the other hand will meet is to be where it is seen: near its limits an arm is eased into them, less each time.
+  constexpr int kTimes = 3;
+  for (int i = 0; i < kTimes && seeks_longer_ && !placed.touching; ++i)
+    state.wrist = place_arm(side, state, true).wrist;
   if (placed.touching) {
     placed.part = fit.touching;
     if (fit.gap < kStillRight && fit.normal != Vec3(0.0)) placed.normal = fit.normal;

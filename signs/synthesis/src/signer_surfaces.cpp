@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // The signer's surfaces: what a hand and its arm may come near to, the points that are tried, and how deep they lie.
 #include "hand_fit.h"
+#include "kinematics/elementary.h"
+#include "kinematics/rotation.h"
 #include "synthesis/signer.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 
 namespace auslan {
@@ -118,6 +121,33 @@ Depth Signer::depth_in_arm(Side side, const HandState& state, const HandState& o
   if (of_other.metres <= in_other.metres) return in_other;
   of_other.out = -of_other.out;
   return of_other;
+}
+
+double Signer::trouble(Side side, const Wish& wish, bool touches, std::span<const Obstacle> of_arm,
+                       const HandState& state, const HandFit& fit) const {
+  // Millimetres and degrees within what `auslanjam check` allows.
+  constexpr double kUnseenLength = 0.0025, kUnseenLean = 21.0 * kDegree, kUnseenTurn = 4.0 * kDegree;
+  HandState trial = state;
+  trial.wrist = fit.wrist;
+  trial.swivel = fit.swivel;
+  // Near a joint's limit the arm is eased into it. A hand in the air stays where that leaves it.
+  const ArmPlacement eased = place_arm(side, trial, true);
+  const PlacedPatch forearm{&surface_.patch(nodes_[static_cast<size_t>(side)].elbow), eased.elbow};
+  double off = 0.0, turned = 0.0;
+  Quat shown = eased.wrist.rotation;
+  if (touches) {
+    const Vec3 slip = apply(eased.wrist, fit.touching) - apply(fit.wrist, fit.touching);
+    off = std::abs(fit.gap) + std::sqrt(glm::dot(slip, slip));
+    turned = angle_between(eased.wrist.rotation, fit.wrist.rotation);
+    shown = fit.wrist.rotation;
+  }
+  double lean = 0.0;
+  for (const Vec3& axis : {hand_frame(side).fingers, hand_frame(side).palm})
+    lean = std::max(lean, arc_cosine(glm::dot(shown * axis, wish.rotation * axis)));
+  // Two hands that meet in the middle are apart, or in each other, by twice as much.
+  const double times = wish.mirrored_at != 0.0 ? 2.0 : 1.0;
+  const double deepest = std::max(times * fit.deepest, depth_in({&forearm, 1}, of_arm).metres);
+  return std::max({deepest / kUnseenLength, times * off / kUnseenLength, lean / kUnseenLean, turned / kUnseenTurn});
 }
 
 Depth Signer::forearm_depth(Side side, const HandState& state, double at_least, double enough) const {

@@ -21,6 +21,11 @@ constexpr double kFarthest = 0.04, kFartherByLength = 0.6;
 // Of an arm's length: beyond it an elbow that goes straight turns faster than any elbow.
 constexpr double kEasyReach = 0.985;
 
+// Bends to set out with where a way cannot be bent out of everything as it is, of so many metres.
+constexpr double kDetour = 0.05;
+constexpr Vec3 kDetours[] = {{0, 0, 1}, {1, 0, 0},  {-1, 0, 0}, {0, 1, 0},  {0, -1, 0},
+                             {0, 1, 1}, {0, -1, 1}, {1, 0, 1},  {-1, 0, 1}, {0, 0, -1}};
+
 /// One hand on its way, and what the other does meanwhile.
 struct Journey {
   const Signer& signer;
@@ -214,7 +219,20 @@ double keep_clear(const Signer& signer, Side side, HandSegment& segment, const T
   const Vec3 apart = segment.to.wrist.position - segment.from.wrist.position;
   const bool waved = segment.turns > 0 || segment.oscillation.cycles > 0;
   if (glm::dot(apart, apart) < 1e-4 && !waved) return 0.0;
-  const double depth = bend_out({signer, side, segment, touched, meanwhile, waved ? 2 * kSamples : kSamples});
+  const int samples = waved || signer.seeks_longer() ? 2 * kSamples : kSamples;
+  const HandSegment wanted = segment;
+  double depth = bend_out({signer, side, segment, touched, meanwhile, samples});
+  if (depth > 0.0 && signer.seeks_longer()) {
+    for (const Vec3& way : kDetours) {
+      HandSegment other = wanted;
+      other.bulge += kDetour * way;
+      const double found = bend_out({signer, side, other, touched, meanwhile, samples});
+      if (found >= depth) continue;
+      depth = found;
+      segment = other;
+      if (depth == 0.0) break;
+    }
+  }
   swing_out(signer, side, segment);
   return depth;
 }

@@ -44,6 +44,8 @@ class BodySites {
  private:
   /// The height of a fraction of the way from chin to crown.
   double face_height(double fraction) const;
+  /// How far forward the trunk reaches between shoulders and stomach.
+  double chest_front() const;
   /// From `origin`, in front of or beside the body, towards it: the skin, or the origin's projection where there is
   /// none.
   Site cast(Location location, const Vec3& target, const Vec3& from) const;
@@ -55,6 +57,7 @@ class BodySites {
   double base_y_ = 0;
   std::array<Vec3, 2> shoulder_;
   Vec3 sternum_{0.0};
+  double space_z_ = 0;  ///< where distances in signing space begin
 };
 
 }  // namespace auslan

@@ -30,8 +30,9 @@ struct SurfacePatch {
 
 class BodySurface {
  public:
-  /// Measures the head, neck, trunk, arms and hands of a figure in the rest pose.
-  explicit BodySurface(const Figure& figure);
+  /// Measures the head, neck, trunk, arms and hands of a figure in the rest pose. `closely`: with points between the
+  /// corners of large triangles too, and more of the few.
+  explicit BodySurface(const Figure& figure, bool closely = false);
 
   /// Nothing for a node without a surface.
   const DistanceField* field(int node) const {

@@ -20,6 +20,7 @@
 
 namespace auslan {
 
+struct HandFit;
 struct Obstacle;
 struct MirrorPlane;
 
@@ -37,6 +38,9 @@ struct PlacedHand {
   Vec3 part{0.0};              ///< what is brought to the place, or touches there, in the wrist's frame
   Location location = Location::kNeutral;  ///< the posture's, or the finer one that its contact names
   Vec3 shift{0.0};                         ///< by which a hand in the air gave way to the direction, metres
+  /// How many times over what is not seen the worst of it is: gap, depth, leaning, what the arm's limits take away.
+  /// Only where the signer seeks longer, else 0.
+  double trouble = 0.0;
 };
 
 /// What a posture is placed against.
@@ -63,6 +67,7 @@ HandState mirrored(const HandState& state);
 /// What a signer cannot tell from a figure's segments.
 struct FigureTraits {
   std::optional<FaceLandmarks> face;  ///< as in BodySites::build
+  bool is_foreign = false;  ///< entries were not tried on it: what does not come right at once is sought for longer
 };
 
 class Signer {
@@ -80,10 +85,13 @@ class Signer {
   /// allows.
   PlacedHand place(const Posture& posture, const Handshape& handshape, Side side, const OtherHand& counterpart) const;
 
+  /// Whether what does not come right at once is sought for longer.
+  bool seeks_longer() const { return seeks_longer_; }
+
   const ArmReach& reach(Side side) const { return reach_[static_cast<size_t>(side)]; }
 
-  /// The arm that puts the wrist where `state` says, trunk at rest.
-  ArmPlacement place_arm(Side side, const HandState& state) const;
+  /// The arm that puts the wrist where `state` says, trunk at rest; `limited`: as it is sampled, eased into its limits.
+  ArmPlacement place_arm(Side side, const HandState& state, bool limited = false) const;
 
   /// How deep a hand with its forearm lies in head, neck and trunk at rest, and in the other arm; counted from a little
   /// above their surface.
@@ -97,7 +105,7 @@ class Signer {
   HandState rest(Side side) const;
 
  private:
-  Signer(const Figure& figure, BodySites body, std::array<HandSites, 2> hands);
+  Signer(const Figure& figure, BodySites body, std::array<HandSites, 2> hands, bool seeks_longer);
   /// What is asked of a hand.
   struct Wish {
     Quat rotation = kIdentity;
@@ -127,6 +135,10 @@ class Signer {
                    double enough) const;
   /// How high the elbow is lifted, of the upper arm's length: 0 up to 30 degrees below the level, half at the level.
   double elbow_height(Side side, const ArmSolution& arm) const;
+  /// How many times over what is not seen the worst of a fit is: gap, depth of the hand and of the forearm, leaning,
+  /// and what the arm's limits take away.
+  double trouble(Side side, const Wish& wish, bool touches, std::span<const Obstacle> of_arm, const HandState& state,
+                 const HandFit& fit) const;
   Depth coarse_depth(Side side, const HandState& state, std::span<const Obstacle> obstacles, double at_least) const;
   /// A few points of a hand, world space.
   std::array<PlacedPatch, 16> hand_points(Side side, const HandState& state) const;
@@ -151,6 +163,7 @@ class Signer {
                   const Vec3& offset) const;
 
   const Figure* figure_;
+  bool seeks_longer_;  ///< on this figure what does not come right at once is sought for longer
   BodySites body_;
   std::array<HandSites, 2> hands_;
   BodySurface surface_;
