@@ -237,6 +237,7 @@ std::string signing_text(const Avatar& avatar) {
   std::string text = "  it signs: auslanjam render TEXT --avatar FILE -o OUT\n";
   for (const std::string& warning : fitted->warnings)
     text += "  but " + shown(warning, 200) + "\n";
+  text += "  how well, and what is out of its reach: auslanjam check --avatar FILE\n";
   return text;
 }
 

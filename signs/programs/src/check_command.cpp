@@ -77,6 +77,14 @@ Result<std::vector<Subject>> subjects_of(Session& session, const Options& option
   return subjects;
 }
 
+double trouble_of(const Score& score) {
+  double most = 0.0;
+  for (const auto& side : score.targets)
+    for (const HandTarget& target : side)
+      most = std::max(most, target.trouble);
+  return most;
+}
+
 /// All of them, `threads` at a time; in their own order, whatever the number.
 Result<std::vector<Checked>> check_all(const Signer& signer, const std::vector<Subject>& subjects, int threads,
                                        bool quiet) {
@@ -91,7 +99,7 @@ Result<std::vector<Checked>> check_all(const Signer& signer, const std::vector<S
     for (size_t i = next++; i < subjects.size() && !stop_requested(); i = next++) {
       const auto score = choreograph(signer, subjects[i].utterance);
       if (score) {
-        all[i] = {subjects[i].name, checker.check(*score)};
+        all[i] = {subjects[i].name, checker.check(*score), trouble_of(*score)};
       } else {
         errors[i] = score.error();
       }
@@ -171,6 +179,7 @@ Result<void> run_check(const Options& options) {
   report.findings = compare(report.all, *exceptions, options.words.empty());
   report.figure = options.avatar;
   report.lacks = session.figure_lacks();
+  if (const auto beyond = out_of_reach(report.all)) report.lacks.push_back(*beyond);
   report.each = !options.words.empty();
   for (size_t i = 0; i < report.all.size() && !options.output.empty(); ++i) {
     if (stop_requested()) return stopped();

@@ -61,6 +61,24 @@ std::optional<Measure> worst_of(const Verdict& verdict) {
   return worst;
 }
 
+std::optional<std::string> out_of_reach(std::span<const Checked> all) {
+  std::vector<std::string> names;
+  for (const Checked& one : all) {
+    const auto worst = worst_of(one.verdict);
+    if (one.trouble <= 1.0 || !worst) continue;
+    const Measured& found = *one.verdict.of(*worst);
+    names.push_back(one.subject + " (" + std::string(info(*worst).name) + " " + number(found.value) + " " +
+                    std::string(info(*worst).unit) + ")");
+  }
+  if (names.empty()) return std::nullopt;
+  std::string text = "its arms and hands were found no place for a posture of " + std::to_string(names.size()) +
+                     " of " + std::to_string(all.size()) + ": ";
+  for (size_t i = 0; i < names.size() && i < kWorst; ++i)
+    text += (i == 0 ? "" : ", ") + names[i];
+  if (names.size() > kWorst) text += " and more";
+  return text;
+}
+
 std::string as_text(const CheckReport& report) {
   std::string text;
   for (const std::string& lack : report.lacks)
@@ -129,6 +147,7 @@ std::string as_json(const CheckReport& report) {
                                                                        {"where", found->where}};
       if (!found->detail.empty()) told["detail"] = found->detail;
     }
+    if (entry.trouble > 1.0) one["out_of_reach"] = entry.trouble;
     json["entries"].push_back(one);
   }
   json["exceptions"] = report.exceptions;

@@ -24,6 +24,9 @@ struct CheckReport {
 std::string as_text(const CheckReport& report);
 std::string as_json(const CheckReport& report);
 
+/// Which postures the figure was found no place for that keeps all limits, and what is worst of them.
+std::optional<std::string> out_of_reach(std::span<const Checked> all);
+
 /// The measure that is farthest outside, counted in its limit; nothing when all are good.
 std::optional<Measure> worst_of(const Verdict& verdict);
 

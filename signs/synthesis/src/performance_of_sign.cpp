@@ -437,6 +437,7 @@ std::optional<HandTarget> SignBuilder::shown(const HandState& state, const std::
     target.stand_off = placed[i].stand_off;
     target.part = placed[i].part;
     target.location = placed[i].location;
+    target.trouble = placed[i].trouble;
     return target;
   }
   return std::nullopt;

@@ -32,6 +32,7 @@ inline constexpr std::string_view kUnreviewed = "unreviewed:";
 struct Checked {
   std::string subject;
   Verdict verdict;
+  double trouble = 0.0;  ///< the most of its targets: above 1 the figure was found no place for one of them
 };
 
 /// The list of a text. kMalformed with `name`:line for a line with other than these fields, an unknown measure, a bound

@@ -115,6 +115,7 @@ struct HandTarget {
   double stand_off = 0;  ///< metres that the part keeps from the surface of what it is only near; 0: nothing is said
   Vec3 part{0.0};        ///< what touches or is near, in the wrist's frame
   Location location = Location::kNeutral;
+  double trouble = 0;  ///< as PlacedHand has it: above 1 this figure was found no place for it
 };
 
 struct Score {
