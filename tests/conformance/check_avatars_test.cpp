@@ -47,7 +47,11 @@ TEST_P(CheckAvatars, EveryMeasureIsTakenOfLettersAndSigns) {
   const json told = json::parse(ran.output);
   ASSERT_EQ(told["entries"].size(), 76U);
   int good = 0;
+  const std::string lacks = told["figure"]["lacks"].dump();
   for (const json& entry : told["entries"]) {
+    // What no place was found for is told in one line, with how far it is outside; ten are named.
+    if (entry.contains("out_of_reach") && !entry["good"].get<bool>())
+      EXPECT_NE(lacks.find("found no place for a posture of"), std::string::npos) << entry["gloss"];
     good += entry["good"].get<bool>() ? 1 : 0;
     for (const char* measure : {"penetration", "direction", "handshape", "joint-limits", "joint-speed",
                                 "angular-velocity", "wrist-speed", "mirror"})
@@ -62,12 +66,12 @@ TEST_P(CheckAvatars, EveryMeasureIsTakenOfLettersAndSigns) {
       std::printf(" %s %d/%d", measure.c_str(), total["outside"].get<int>(), total["measured"].get<int>());
   std::printf("\n");
   EXPECT_GE(good, least_good);
-  EXPECT_NE(told["figure"]["lacks"].dump().find(lack), std::string::npos) << told["figure"];
+  EXPECT_NE(lacks.find(lack), std::string::npos) << told["figure"];
 }
 
 INSTANTIATE_TEST_SUITE_P(Samples, CheckAvatars,
-                         testing::Values(Sample{"makehuman.glb", "mouthPressLeft", 50},
-                                         Sample{"makehuman.vrm", "mouthPressLeft", 50},
+                         testing::Values(Sample{"makehuman.glb", "mouthPressLeft", 70},
+                                         Sample{"makehuman.vrm", "mouthPressLeft", 70},
                                          Sample{"godette.vrm", "ring finger is missing", 0}));
 
 }  // namespace
