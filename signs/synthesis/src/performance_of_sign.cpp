@@ -728,12 +728,14 @@ Result<SignPerformance> perform(const Signer& signer, const Utterance& utterance
   if (!best || !signer.seeks_longer() || !builder.can_shift()) return best;
   // Other places for what is made in the air.
   constexpr double kNear = 0.03, kFar = 0.05;  // metres
+  // More trouble than this is no matter of some centimetres.
+  constexpr double kHopeless = 30.0;
   static constexpr Vec3 kShifts[] = {{0, 0, kNear}, {0, 0, -kNear}, {0, kNear, 0},   {0, -kNear, 0},
                                      {kNear, 0, 0}, {-kNear, 0, 0}, {0, 0, kFar},    {0, kFar, 0},
                                      {0, -kFar, 0}, {kFar, 0, 0},   {0, -kFar, kFar}};
   double least = builder.trouble(*best);
   for (const Vec3& shift : kShifts) {
-    if (least <= 1.0) break;
+    if (least <= 1.0 || least > kHopeless) break;
     SignBuilder other(signer, utterance, unit, waiting, shift);
     auto found = other.build();
     if (!found) break;

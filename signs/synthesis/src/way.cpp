@@ -23,6 +23,8 @@ constexpr double kEasyReach = 0.985;
 
 // Bends to set out with where a way cannot be bent out of everything as it is, of so many metres.
 constexpr double kDetour = 0.05;
+// What goes deeper is not led out by another bend: hands that hang in a skirt.
+constexpr double kHopeless = 0.05;  // metres
 constexpr Vec3 kDetours[] = {{0, 0, 1}, {1, 0, 0},  {-1, 0, 0}, {0, 1, 0},  {0, -1, 0},
                              {0, 1, 1}, {0, -1, 1}, {1, 0, 1},  {-1, 0, 1}, {0, 0, -1}};
 
@@ -222,7 +224,7 @@ double keep_clear(const Signer& signer, Side side, HandSegment& segment, const T
   const int samples = waved || signer.seeks_longer() ? 2 * kSamples : kSamples;
   const HandSegment wanted = segment;
   double depth = bend_out({signer, side, segment, touched, meanwhile, samples});
-  if (depth > 0.0 && signer.seeks_longer()) {
+  if (depth > 0.0 && depth < kHopeless && signer.seeks_longer()) {
     for (const Vec3& way : kDetours) {
       HandSegment other = wanted;
       other.bulge += kDetour * way;
