@@ -49,10 +49,16 @@ TEST_P(CheckAvatars, EveryMeasureIsTakenOfLettersAndSigns) {
   int good = 0;
   const std::string lacks = told["figure"]["lacks"].dump();
   for (const json& entry : told["entries"]) {
+    const bool is_good = entry["good"].get<bool>();
+    good += is_good ? 1 : 0;
     // What no place was found for is told in one line, with how far it is outside; ten are named.
-    if (entry.contains("out_of_reach") && !entry["good"].get<bool>())
+    if (!is_good && entry.contains("out_of_reach")) {
       EXPECT_NE(lacks.find("found no place for a posture of"), std::string::npos) << entry["gloss"];
-    good += entry["good"].get<bool>() ? 1 : 0;
+    }
+    // A figure with whole hands does all else within the limits.
+    if (!is_good && least_good > 0) {
+      EXPECT_TRUE(entry.contains("out_of_reach")) << entry;
+    }
     for (const char* measure : {"penetration", "direction", "handshape", "joint-limits", "joint-speed",
                                 "angular-velocity", "wrist-speed", "mirror"})
       EXPECT_TRUE(entry["measures"].contains(measure)) << entry["gloss"] << " " << measure;
@@ -70,8 +76,8 @@ TEST_P(CheckAvatars, EveryMeasureIsTakenOfLettersAndSigns) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Samples, CheckAvatars,
-                         testing::Values(Sample{"makehuman.glb", "mouthPressLeft", 70},
-                                         Sample{"makehuman.vrm", "mouthPressLeft", 70},
+                         testing::Values(Sample{"makehuman.glb", "mouthPressLeft", 75},
+                                         Sample{"makehuman.vrm", "mouthPressLeft", 75},
                                          Sample{"godette.vrm", "ring finger is missing", 0}));
 
 }  // namespace
