@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 namespace auslan {
 
@@ -25,6 +26,24 @@ class Reach {
   const Signer& signer() const { return signer_; }
 
   Transform parent(Side side) const { return {kIdentity, skeleton_.rest_position(arm_nodes(skeleton_, side).trunk)}; }
+  /// The arm as it is drawn, brought within its limits.
+  struct Posed {
+    Transform wrist;
+    double strain = 0.0;  ///< degrees by which it breaks its limits all the same
+  };
+  Posed posed(Side side, const HandState& state) const {
+    const ArmNodes nodes = arm_nodes(skeleton_, side);
+    const ArmSolution arm =
+        signer_.reach(side).limited(solve_arm(skeleton_, side, parent(side), state.wrist, state.swivel));
+    Pose pose = rest_pose(skeleton_);
+    pose_arm(nodes, arm, pose);
+    std::vector<Transform> world(static_cast<size_t>(skeleton_.size()));
+    forward(skeleton_, pose, world);
+    return {world[static_cast<size_t>(nodes.wrist)],
+            (limit_violation(skeleton_, nodes.shoulder, arm.shoulder) +
+             limit_violation(skeleton_, nodes.elbow, arm.elbow) + limit_violation(skeleton_, nodes.wrist, arm.wrist)) /
+                kDegree};
+  }
   /// Degrees by which the arm breaks its limits; nothing where the wrist is out of reach.
   std::optional<double> strain(Side side, const Transform& wrist, double swivel) const {
     const ArmNodes nodes = arm_nodes(skeleton_, side);
