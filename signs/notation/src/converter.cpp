@@ -2,6 +2,7 @@
 #include "converter.h"
 
 #include "notation/writer.h"
+#include "written_of.h"
 
 namespace auslan {
 
@@ -39,6 +40,36 @@ Result<ConvertedSign> convert(const NotatedSign& sign, NotationForm form) {
   if (!converted.same_sign)
     findings.warning(start, std::string("the sign in the other notation is not quite the same; compare ") +
                                 "what is signed, or keep it in the notation it was written in");
+  converted.findings = findings.take();
+  return converted;
+}
+
+Result<ConvertedSign> notate(const Sign& sign, std::span<const Handshape> handshapes, NotationForm form) {
+  using namespace notation;
+  if (sign.dominant.empty())
+    return fail(ErrorCode::kMalformed, "the sign " + sign.gloss + " has no posture, so there is nothing to write");
+  Findings findings;
+  const WrittenSign written = written_of(sign, handshapes, form, findings);
+  WrittenElement element;
+  element.name = form == NotationForm::kGestural ? "hamgestural_sign" : "hns_sign";
+  element.put("gloss", sign.gloss);
+  WrittenElement face;
+  write_non_manual(sign.non_manual, face, findings);
+  for (const WrittenElement& child : face.children) {
+    if (form == NotationForm::kGestural) {
+      write_tiers(child, element, findings);
+    } else {
+      element.children.push_back(child);
+    }
+  }
+  (form == NotationForm::kGestural ? write_gestural : write_symbols)(written, element, findings);
+  ConvertedSign converted;
+  Findings again;
+  converted.sign = sign_of(written_sign(element, again), again);
+  converted.sign.written = std::move(element);
+  converted.same_sign = converted.sign.sign == sign;
+  for (Diagnostic& diagnostic : again.take())
+    converted.sign.diagnostics.push_back(std::move(diagnostic));
   converted.findings = findings.take();
   return converted;
 }

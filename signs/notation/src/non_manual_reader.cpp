@@ -2,6 +2,7 @@
 // The non-manual tiers, in the words that the model has for the face and the head.
 #include "element.h"
 #include "mouth_spelling.h"
+#include "written_of.h"
 
 #include <algorithm>
 #include <charconv>
@@ -291,6 +292,25 @@ void read_tiers(Element& tiers, NonManual& face) {
 
 void read_hnm(Element& elements, NonManual& face) {
   read_group(elements, face, {}, true);
+}
+
+std::optional<WrittenFeature> feature_of(std::string_view tier, std::string_view word) {
+  struct Written {
+    std::string_view tier, element;
+    const Table* table;
+  };
+  for (const Written& written :
+       {Written{"brows", "hnm_eyebrows", &kBrows}, Written{"eyes", "hnm_eyelids", &kEyes},
+        Written{"gaze", "hnm_eyegaze", &kGaze}, Written{"head", "hnm_head", &kHead},
+        Written{"shoulders", "hnm_shoulder", &kShoulders}, Written{"shoulders", "hnm_body", &kBody},
+        Written{"face", "hnm_nose", &kNose}, Written{"mouth", "hnm_mouthgesture", &kMouth},
+        Written{"cheeks", "hnm_mouthgesture", &kMouth}}) {
+    if (written.tier != tier) continue;
+    const auto found = std::ranges::find(*written.table, word, &Feature::word);
+    if (found != written.table->end()) return WrittenFeature{written.element, found->tag};
+  }
+  if (tier == "mouth" && is_mouth_gesture(std::string(word))) return WrittenFeature{"hnm_mouthgesture", word};
+  return std::nullopt;
 }
 
 }  // namespace auslan::notation

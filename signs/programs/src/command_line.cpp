@@ -264,6 +264,7 @@ void add_notation(CLI::App& app, Options& options) {
   app.add_option("FILE", options.source.sigml_file, "SiGML, of either kind (hns_sign, hamgestural_sign)");
   app.add_option("--hamnosys", options.source.hamnosys, "A sign in HamNoSys (symbols or their names) in place of FILE")
       ->type_name("STRING");
+  app.add_option("--gloss", options.source.glosses, "Entries of the lexicon in place of FILE")->type_name("GLOSS ...");
   app.add_option("--to", options.notation,
                  "Write it as SiGML with symbols (hns) or attributes (gestural), as strings of HamNoSys symbols "
                  "(hamnosys), or as the lexicon's own text (text)")
@@ -275,7 +276,8 @@ void add_notation(CLI::App& app, Options& options) {
       "Examples:\n"
       "  auslanjam notation signs.sigml\n"
       "  auslanjam notation signs.sigml --to gestural -o other.sigml\n"
-      "  auslanjam notation --hamnosys hamflathand,hamextfingeru,hampalmd,hammoveo --to text");
+      "  auslanjam notation --hamnosys hamflathand,hamextfingeru,hampalmd,hammoveo --to text\n"
+      "  auslanjam notation --gloss HURT WHERE --to hns -o entries.sigml");
 }
 
 void add_common(CLI::App& app, Options& options) {
@@ -305,7 +307,9 @@ std::string check(const Options& options) {
       if (source.text && is_blank(*source.text)) return "the TEXT is empty: give English to sign";
       break;
     case Command::kNotation:
-      if (sources != 1) return "notation takes one FILE of SiGML, or --hamnosys STRING";
+      if (sources != 1) return "notation takes one FILE of SiGML, --hamnosys STRING or --gloss GLOSS";
+      if (!source.glosses.empty() && options.notation.empty())
+        return "notation --gloss needs --to, which says what to write";
       if (options.notation.empty() && !options.output.empty())
         return "notation -o needs --to, which says what to write";
       break;

@@ -4,6 +4,7 @@
 #include "kinematics/whole_file.h"
 #include "lexicon/lexicon_text.h"
 #include "notation/writer.h"
+#include "session.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -13,7 +14,46 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+NotationForm form_of(const Options& options) {
+  return options.notation == "gestural" ? NotationForm::kGestural : NotationForm::kSymbols;
+}
+
+/// Entries of the lexicon, with what the notation that is asked for cannot say of them.
+Result<std::vector<NotatedSign>> entries(const Options& options) {
+  Session session(options);
+  const auto lexicon = session.lexicon();
+  if (!lexicon) return tl::unexpected(lexicon.error());
+  const auto handshapes = (*lexicon)->handshapes();
+  if (!handshapes) return tl::unexpected(handshapes.error());
+  std::vector<NotatedSign> signs;
+  for (const std::string& gloss : options.source.glosses) {
+    const auto sign = (*lexicon)->sign(gloss);
+    if (!sign) return tl::unexpected(sign.error());
+    if (!*sign)
+      return fail(ErrorCode::kNotFound,
+                  "the lexicon has no entry " + gloss + "; `auslanjam db search WORD` finds those there are");
+    if (options.notation == "text") {
+      NotatedSign plain;
+      plain.sign = **sign;
+      plain.signable = true;
+      for (const Handshape& shape : *handshapes)
+        if (std::ranges::any_of(plain.sign.dominant, [&](const Posture& p) { return p.handshape == shape.id; }) ||
+            std::ranges::any_of(plain.sign.non_dominant, [&](const Posture& p) { return p.handshape == shape.id; }))
+          plain.handshapes.push_back(shape);
+      signs.push_back(std::move(plain));
+      continue;
+    }
+    auto made = notate(**sign, *handshapes, form_of(options));
+    if (!made) return tl::unexpected(made.error());
+    for (const Diagnostic& diagnostic : made->findings)
+      remark(options, gloss + ": " + diagnostic.message);
+    signs.push_back(std::move(made->sign));
+  }
+  return signs;
+}
+
 Result<std::vector<NotatedSign>> read(const Options& options) {
+  if (!options.source.glosses.empty()) return entries(options);
   if (!options.source.hamnosys) return read_sigml(*options.source.sigml_file);
   auto sign = parse_hamnosys(*options.source.hamnosys);
   if (!sign) return tl::unexpected(sign.error());
@@ -85,7 +125,7 @@ Result<std::string> written(const Options& options, const std::vector<NotatedSig
         all += source.text.substr(source.text.find('\n') + 1);
     return all;
   }
-  const NotationForm form = options.notation == "gestural" ? NotationForm::kGestural : NotationForm::kSymbols;
+  const NotationForm form = form_of(options);
   std::vector<NotatedSign> converted;
   std::string strings;
   for (const NotatedSign& sign : signs) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Signs back into the field's notations. What was read is written as it was read, also what nobody understood: reading
 // it again gives an equal sign. Between the kinds of notation a sign is converted where the other kind can say the
-// same.
+// same. Signs of the lexicon are written as nearly as a notation can say them.
 #pragma once
 
 #include "notation/notation.h"
@@ -31,5 +31,9 @@ struct ConvertedSign {
   std::vector<Diagnostic> findings;  ///< what that kind cannot say; places count within the sign as it is written
 };
 Result<ConvertedSign> convert(const NotatedSign& sign, NotationForm form);
+
+/// A sign of the lexicon in a notation, and what a reader understands of it. `handshapes`: at least those that it uses.
+/// What the notation cannot say, or says only nearly, is told in the findings; their places mean nothing.
+Result<ConvertedSign> notate(const Sign& sign, std::span<const Handshape> handshapes, NotationForm form);
 
 }  // namespace auslan
