@@ -138,10 +138,13 @@ StageOptions Session::stage() const {
   return stage;
 }
 
+std::filesystem::path Session::database() const {
+  return options_.database.empty() ? data_file("lexicon.sqlite") : std::filesystem::path(options_.database);
+}
+
 Result<const Lexicon*> Session::lexicon() {
   if (!lexicon_) {
-    auto opened = Lexicon::open(options_.database.empty() ? data_file("lexicon.sqlite")
-                                                          : std::filesystem::path(options_.database));
+    auto opened = Lexicon::open(database());
     if (!opened) return tl::unexpected(opened.error());
     lexicon_.emplace(std::move(*opened));
   }
@@ -178,7 +181,11 @@ Result<Translation> Session::translation_of(const std::string& english) {
   auto forms = read_wordnet_exceptions();
   if (forms) data->irregular_lemmas = std::move(*forms);
   auto translator = Translator::build(std::move(*data));
-  if (!translator) return tl::unexpected(translator.error());
+  if (!translator) {
+    Error error = translator.error();
+    if (error.place.empty()) error.place = database().string();
+    return tl::unexpected(error);
+  }
   auto translation = translator->translate(english);
   if (!translation) return tl::unexpected(as_usage(translation.error()));
   if (!forms)

@@ -12,6 +12,7 @@
 #include "translate/translation.h"
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -53,6 +54,8 @@ class Session {
   std::vector<std::string> figure_lacks() const;
 
  private:
+  /// The file of the lexicon.
+  std::filesystem::path database() const;
   /// What is to be performed, and what has to be said about it.
   struct Spoken {
     Utterance utterance;
