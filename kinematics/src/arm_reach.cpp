@@ -35,10 +35,10 @@ void soften(JointAngles& angles, const JointLimits& limits) {
   angles.twist = softened(angles.twist, limits.twist_low, limits.twist_high);
 }
 
-JointLimits narrowed(JointLimits limits) {
-  const auto narrow = [](double& low, double& high) {
-    if (low < 0.0) low += kInside;
-    high -= kInside;
+JointLimits narrowed(JointLimits limits, double by) {
+  const auto narrow = [by](double& low, double& high) {
+    if (low < 0.0) low += by;
+    high -= by;
   };
   narrow(limits.flexion_low, limits.flexion_high);
   narrow(limits.abduction_low, limits.abduction_high);
@@ -54,21 +54,29 @@ JointAngles brought_within(const JointLimits& limits, const JointAngles& angles)
 
 }  // namespace
 
-struct ArmReach::State {
-  ArmGeometry arm;
-  JointAxes shoulder, elbow, wrist;
-  JointLimits elbow_within = narrowed(elbow_limits()), wrist_within = narrowed(wrist_limits());
+/// The ranges in which forearm and wrist are sought.
+struct ArmReach::Within {
+  JointLimits elbow, wrist;
 
+  explicit Within(double inside) : elbow(narrowed(elbow_limits(), inside)), wrist(narrowed(wrist_limits(), inside)) {}
   /// The wrist gives a little about the forearm: it takes what the forearm cannot turn.
   void share_twist(JointAngles& forearm, JointAngles& hand) const {
-    const double kept = std::clamp(forearm.twist, elbow_within.twist_low, elbow_within.twist_high);
-    const double given = std::clamp(forearm.twist - kept, wrist_within.twist_low, wrist_within.twist_high);
+    const double kept = std::clamp(forearm.twist, elbow.twist_low, elbow.twist_high);
+    const double given = std::clamp(forearm.twist - kept, wrist.twist_low, wrist.twist_high);
     forearm.twist -= given;
     hand.twist += given;
   }
+};
+
+struct ArmReach::State {
+  ArmGeometry arm;
+  JointAxes shoulder, elbow, wrist;
+  // A joint that gives way from kSoft within its limit has come to the limit when as much more is asked of it.
+  Within within{kInside}, ends{-kSoft};
+
   double excess(const ArmSolution& solution) const {
     JointAngles forearm = angles_about(elbow, solution.elbow), hand = angles_about(wrist, solution.wrist);
-    share_twist(forearm, hand);
+    within.share_twist(forearm, hand);
     return excess(solution, forearm, hand);
   }
   /// Forearm and hand as share_twist leaves them.
@@ -89,6 +97,17 @@ ArmReach::~ArmReach() = default;
 
 ArmReach::Reached ArmReach::reach(const Quat& wanted, const Vec3& pivot, const Vec3& target, double swivel,
                                   int rounds) const {
+  return reach_within(state_->within, wanted, pivot, target, swivel, rounds);
+}
+
+ArmReach::Reached ArmReach::reach_to_ends(const Quat& wanted, const Vec3& pivot, const Vec3& target,
+                                          double swivel) const {
+  constexpr int kRounds = 16;
+  return reach_within(state_->ends, wanted, pivot, target, swivel, kRounds);
+}
+
+ArmReach::Reached ArmReach::reach_within(const Within& within, const Quat& wanted, const Vec3& pivot,
+                                         const Vec3& target, double swivel, int rounds) const {
   const State& s = *state_;
   Reached reached;
   reached.wrist.rotation = wanted;
@@ -98,15 +117,15 @@ ArmReach::Reached ArmReach::reach(const Quat& wanted, const Vec3& pivot, const V
     reached.arm = solve_in_trunk(s.arm, reached.wrist, swivel);
     elbow = angles_about(s.elbow, reached.arm.elbow);
     wrist = angles_about(s.wrist, reached.arm.wrist);
-    s.share_twist(elbow, wrist);
-    if (squared_excess(s.elbow_within, elbow) == 0.0 && squared_excess(s.wrist_within, wrist) == 0.0) break;
+    within.share_twist(elbow, wrist);
+    if (squared_excess(within.elbow, elbow) == 0.0 && squared_excess(within.wrist, wrist) == 0.0) break;
     if (round + 1 == rounds) break;
     // The forearm can turn the hand and the wrist can bend it; the elbow's own bend is the place's matter.
-    JointAngles turned = brought_within(s.elbow_within, elbow);
+    JointAngles turned = brought_within(within.elbow, elbow);
     turned.flexion = elbow.flexion;
     reached.wrist.rotation =
         renormalised(reached.arm.clavicle * reached.arm.shoulder * rotation_about(s.elbow, turned) *
-                     rotation_about(s.wrist, brought_within(s.wrist_within, wrist)));
+                     rotation_about(s.wrist, brought_within(within.wrist, wrist)));
   }
   reached.lean = angle_between(wanted, reached.wrist.rotation);
   reached.excess = s.excess(reached.arm, elbow, wrist);
@@ -127,7 +146,7 @@ ArmSolution ArmReach::limited(const ArmSolution& arm) const {
   JointAngles shoulder = angles_about(s.shoulder, arm.shoulder);
   JointAngles elbow = angles_about(s.elbow, arm.elbow);
   JointAngles wrist = angles_about(s.wrist, arm.wrist);
-  s.share_twist(elbow, wrist);
+  s.within.share_twist(elbow, wrist);
   soften(shoulder, shoulder_limits());
   soften(elbow, elbow_limits());
   soften(wrist, wrist_limits());

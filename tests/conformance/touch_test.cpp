@@ -3,7 +3,6 @@
 // minutes (label soak); what runs each time are some of them, evenly picked.
 #include "arm_search.h"
 #include "body_solids.h"
-#include "direction.h"
 #include "phonology/vocabulary.h"
 
 #include <algorithm>
@@ -65,33 +64,52 @@ class Touch {
     double strain = kOutOfReach;  ///< degrees by which the arm breaks its limits
     double beside = 0.0;  ///< metres from the middle of the place; on the other arm, whose places depend on how it
                           ///< is held, 0
+    Vec3 part{0.0}, place{0.0};  ///< what touches, in the frame of the wrist; where it is or was to be, world
     bool touches() const { return gap <= kTouch && strain <= kInLimits; }
   };
 
-  /// The best of several ways to hold the hand.
+  /// Whether any arm within its limits, its forearm in nothing, brings what touches to its place, however the hand is
+  /// turned about it. What the hand itself would be in is not asked.
+  bool possible(const Try& best) const {
+    constexpr double kStep = 5.0;  // degrees of swivel
+    for (const Direction& fingers : directions())
+      for (const char* letters : kPalmLetters) {
+        Transform wrist;
+        wrist.rotation =
+            orient_hand(signer_.hand_frame(Side::kRight), to_vector(fingers), to_vector(palm_across(fingers, letters)));
+        wrist.position = best.place - wrist.rotation * best.part;
+        if (search_.least_strain(Side::kRight, wrist, kStep) <= kInLimits) return true;
+      }
+    return false;
+  }
+
+  /// The best of all ways of the notation to hold the hand: the rarer ones where no plain one touches.
   Try best(Location location, HandPart part) const {
     Try best;
-    for (const Direction& fingers : kFingers)
-      for (const char* letters : {"u", "d", "l", "r"}) {
-        const Try one = touch(location, part, fingers, letters);
-        const bool better = one.touches() ? !best.touches() || one.beside < best.beside
-                                          : !best.touches() && (one.gap < best.gap - kTouch ||
-                                                                (one.gap <= kTouch && one.strain < best.strain));
-        if (better) best = one;
+    for (const bool plain : {true, false}) {
+      for (const Direction& fingers : directions()) {
+        if ((std::abs(fingers.left) + std::abs(fingers.up) + std::abs(fingers.away) == 1) != plain) continue;
+        for (const char* letters : {"u", "d", "l", "r"})
+          consider(touch(location, part, fingers, letters), best);
         if (best.touches() && best.beside <= kTouch) return best;
       }
+      if (best.touches()) return best;
+    }
     return best;
   }
 
  private:
-  static constexpr std::array<Direction, 6> kFingers = {
-      {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}, {0, -1, 0}, {-1, 0, 0}}};
+  static void consider(const Try& one, Try& best) {
+    const bool better = one.touches() ? !best.touches() || one.beside < best.beside
+                                      : !best.touches() && (one.gap < best.gap - kTouch ||
+                                                            (one.gap <= kTouch && one.strain < best.strain));
+    if (better) best = one;
+  }
 
   Try touch(Location location, HandPart part, const Direction& fingers, const char* letters) const {
     Posture posture;
     posture.fingers = fingers;
-    posture.palm = notation::palm_direction(
-        notation::palm_of(*notation::vector_of_letters(letters), to_vector(fingers)), to_vector(fingers));
+    posture.palm = palm_across(fingers, letters);
     posture.location = location;
     posture.contact = Contact{ContactKind::kTouch, part, std::nullopt};
     OtherHand counterpart;
@@ -104,6 +122,8 @@ class Touch {
     forward(skeleton_, pose, world);
     const Vec3 point = apply(world[static_cast<size_t>(arm_nodes(skeleton_, Side::kRight).wrist)], placed.part);
     Try result;
+    result.part = placed.part;
+    result.place = apply(placed.state.wrist, placed.part);
     for (const BodyGroup group : skin_of(location))
       if (const auto found = solids_.distance(group, point, result.gap, world))
         result.gap = std::min(result.gap, std::abs(*found));
@@ -147,7 +167,7 @@ void expect_touches(size_t step) {
       ++at_place;
       continue;
     }
-    if (best.strain == kOutOfReach) {
+    if (!best.touches() && !touch.possible(best)) {
       ++out_of_reach;
       missed[place] += "  " + std::string(to_name(part)) + " out of reach";
       continue;
@@ -162,8 +182,8 @@ void expect_touches(size_t step) {
   }
   std::printf(
       "%zu pairs of a place and a part of the right hand: %zu touch the skin within %.0f mm and all joint limits,\n"
-      "%zu of them within %.0f mm of the middle of the place; %zu are out of reach. The others:\n",
-      tried, touched, kTouch * 1e3, at_place, kAtPlace * 1e3, out_of_reach);
+      "%zu of them within %.0f mm of the middle of the place; %zu are out of reach, %zu missed. The others:\n",
+      tried, touched, kTouch * 1e3, at_place, kAtPlace * 1e3, out_of_reach, tried - touched - out_of_reach);
   for (const auto& [place, text] : missed)
     std::printf("%-18s%s\n", std::string(to_name(place)).c_str(), text.c_str());
   const auto all_tried = static_cast<double>(tried);

@@ -2,13 +2,16 @@
 // What an arm can do at all, found without the solver under test: by trying its own angles.
 #pragma once
 
+#include "direction.h"
 #include "kinematics/arm_ik.h"
 #include "kinematics/elementary.h"
 #include "kinematics/limits.h"
 #include "kinematics/rotation.h"
+#include "phonology/vocabulary.h"
 #include "shipped.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
@@ -17,6 +20,22 @@ namespace auslan {
 
 inline constexpr double kWithin = 5.0;     // degrees of a direction
 inline constexpr double kInLimits = 0.05;  // degrees, the room that `auslanjam check` leaves
+
+/// The 26 of the notation.
+inline std::vector<Direction> directions() {
+  std::vector<Direction> all;
+  for (int up = 1; up >= -1; --up)
+    for (int left = 1; left >= -1; --left)
+      for (int away = 1; away >= -1; --away)
+        if (left != 0 || up != 0 || away != 0) all.push_back({left, up, away});
+  return all;
+}
+/// Its eight palms, as their symbols are named for fingers that point away.
+inline constexpr std::array<const char*, 8> kPalmLetters = {"u", "ur", "r", "dr", "d", "dl", "l", "ul"};
+inline Direction palm_across(const Direction& fingers, const char* letters) {
+  const Vec3 along = to_vector(fingers);
+  return notation::palm_direction(notation::palm_of(*notation::vector_of_letters(letters), along), along);
+}
 
 /// Of the built-in figure, its trunk at rest.
 class Reach {

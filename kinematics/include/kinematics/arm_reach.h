@@ -33,6 +33,9 @@ class ArmReach {
   /// the wrist, again until it stays, `rounds` times at most. Total: what is out of reach is approached, and told by
   /// `off`.
   Reached reach(const Quat& wanted, const Vec3& pivot, const Vec3& target, double swivel, int rounds = 8) const;
+  /// The same to the very ends of the ranges, where limited() draws what is asked from up to a degree beyond them:
+  /// what is reached here is to be drawn by limited().
+  Reached reach_to_ends(const Quat& wanted, const Vec3& pivot, const Vec3& target, double swivel) const;
 
   /// solve_arm() for a wrist in the frame of the trunk.
   ArmSolution solve(const Transform& trunk_from_wrist, double swivel) const;
@@ -47,6 +50,9 @@ class ArmReach {
 
  private:
   struct State;
+  struct Within;
+  Reached reach_within(const Within& within, const Quat& wanted, const Vec3& pivot, const Vec3& target, double swivel,
+                       int rounds) const;
   std::unique_ptr<const State> state_;
 };
 

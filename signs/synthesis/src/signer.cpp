@@ -45,6 +45,9 @@ constexpr double kHopeless = 0.025;
 // trouble than this is none.
 constexpr double kSoughtLean = 17.0 * kDegree, kFarBeside = 1.5, kUntroubled = 0.9;
 constexpr double kTilt = 25.0 * kDegree;
+// A hand in the air shows its direction this well where the arm can; the elbow is looked for in such steps.
+constexpr double kSeenLean = 4.95 * kDegree, kSoughtStep = 2.5 * kDegree, kSoughtExcess = 2.0 * kDegree;
+constexpr int kSoughtSwivels = 60;
 constexpr double kShiftCost = 1000.0, kLargestShift = 0.1;  // of a hand in the air; per square metre, metres
 
 /// The part that a hand touches with where the entry does not say: a pointing hand its tip, a broad one the palm when
@@ -405,6 +408,7 @@ void Signer::bring(Side side, const Meeting& meeting, const OtherHand& counterpa
   }
   state.wrist = fit.wrist;
   state.swivel = fit.swivel;
+  if (!placed.touching && !meets_other && !mirror) turn_true(side, wish, of_arm, state);
   // What the other hand will meet is to be where it is seen: near its limits an arm is eased into them, less each time.
   constexpr int kTimes = 3;
   for (int i = 0; i < kTimes && seeks_longer_ && !placed.touching; ++i)
@@ -506,6 +510,37 @@ Vec3 Signer::settle(Side side, const Wish& wish, std::span<const Obstacle> obsta
   state.wrist = best.wrist;
   state.swivel = best.swivel;
   return shift;
+}
+
+void Signer::turn_true(Side side, const Wish& wish, std::span<const Obstacle> of_arm, HandState& state) const {
+  const HandFrame& frame = hand_frame(side);
+  const auto leans_by = [&](const HandState& trial) {
+    const Quat seen = place_arm(side, trial, true).wrist.rotation;
+    const auto apart = [&](const Vec3& axis) {
+      return arc_cosine(std::min(1.0, glm::dot(seen * axis, wish.rotation * axis)));
+    };
+    return std::max(apart(frame.fingers), apart(frame.palm));
+  };
+  if (leans_by(state) <= kSeenLean) return;
+  const Vec3& trunk = trunk_[static_cast<size_t>(side)];
+  const Vec3 place = apply(state.wrist, wish.pivot) - trunk;
+  const Transform as_stated{wish.rotation, place - wish.rotation * wish.pivot};
+  const double first = state.swivel;
+  for (int i = 1; i <= 2 * kSoughtSwivels; ++i) {
+    const double swivel = first + (i % 2 == 0 ? -1.0 : 1.0) * ((i + 1) / 2) * kSoughtStep;
+    // What the limits take away is about what the hand has to lean.
+    if (reach(side).excess(as_stated, swivel) > 2.0 * kSeenLean) continue;
+    const ArmReach::Reached reached = reach(side).reach_to_ends(wish.rotation, wish.pivot, place, swivel);
+    if (reached.lean > 2.0 * kSeenLean || reached.excess > kSoughtExcess) continue;
+    HandState trial = state;
+    trial.wrist = {reached.wrist.rotation, reached.wrist.position + trunk};
+    trial.swivel = swivel;
+    if (leans_by(trial) > kSeenLean || arm_depth(side, trial, of_arm, wish.mirrored_at, kKeepsOff) > 0.0 ||
+        depth_in(hand_points(side, trial), of_arm, {0.0, kKeepsOff}).metres > 0.0)
+      continue;
+    state = trial;
+    return;
+  }
 }
 
 double Signer::arm_depth(Side side, const HandState& state, std::span<const Obstacle> obstacles, double mirrored_at,

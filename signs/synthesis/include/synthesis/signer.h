@@ -129,6 +129,9 @@ class Signer {
   /// The elbow's place and the hand's lean for which the limits of the arm and the room for the forearm ask. Returns by
   /// how much the place gave way, metres.
   Vec3 settle(Side side, const Wish& wish, std::span<const Obstacle> obstacles, HandState& state) const;
+  /// A hand in the air that leans by more than anyone is to see, though the arm could show what is stated with its
+  /// elbow elsewhere: puts the elbow there, no farther than it takes.
+  void turn_true(Side side, const Wish& wish, std::span<const Obstacle> of_arm, HandState& state) const;
   /// How deep forearm and elbow are in something, or beyond the plane between an arm and its image, metres; once it is
   /// `enough`, nothing deeper is looked for.
   double arm_depth(Side side, const HandState& state, std::span<const Obstacle> obstacles, double mirrored_at,
