@@ -24,7 +24,7 @@ constexpr double kOutOfReach = 1e9;  // degrees, of a wrist that no arm brings t
 constexpr double kFarthest = 0.5;    // metres; skin farther away is not looked for
 constexpr size_t kEveryNth = 61;     // pairs; no common divisor with the number of parts, so that all take turns
 // Shares of all pairs that may not touch within the arm's limits, and that may touch only beside the place.
-constexpr double kUntouched = 0.03, kBeside = 0.08;
+constexpr double kUntouched = 0.002, kBeside = 0.08;
 
 bool touches_other_arm(Location location) {
   return is_on_other_hand(location) || location == Location::kUpperArm || location == Location::kElbow;
@@ -68,17 +68,26 @@ class Touch {
     bool touches() const { return gap <= kTouch && strain <= kInLimits; }
   };
 
-  /// Whether any arm within its limits, its forearm in nothing, brings what touches to its place, however the hand is
-  /// turned about it. What the hand itself would be in is not asked.
-  bool possible(const Try& best) const {
-    constexpr double kStep = 5.0;  // degrees of swivel
+  /// Whether any arm within its limits brings what touches to its place, however the hand is turned about it, without
+  /// being in something deeper than skin gives.
+  bool possible(Location location, const Try& best) const {
+    HandState state = signer_.rest(Side::kRight);
+    state.angles = hand_angles(flat_);
+    const auto is_free = [&](double swivel) {
+      constexpr double kGives = 0.006;  // metres; depths are counted from half of that above the skin
+      state.swivel = swivel;
+      return search_.strain(Side::kRight, state.wrist, swivel).value_or(kOutOfReach) <= kInLimits &&
+             signer_.depth_in_body(Side::kRight, state, kGives).metres <= kGives &&
+             (!touches_other_arm(location) ||
+              signer_.depth_in_arm(Side::kRight, state, other_, kGives).metres <= kGives);
+    };
     for (const Direction& fingers : directions())
       for (const char* letters : kPalmLetters) {
-        Transform wrist;
-        wrist.rotation =
+        state.wrist.rotation =
             orient_hand(signer_.hand_frame(Side::kRight), to_vector(fingers), to_vector(palm_across(fingers, letters)));
-        wrist.position = best.place - wrist.rotation * best.part;
-        if (search_.least_strain(Side::kRight, wrist, kStep) <= kInLimits) return true;
+        state.wrist.position = best.place - state.wrist.rotation * best.part;
+        for (double swivel = -90.0; swivel <= 180.0; swivel += 5.0)
+          if (is_free(swivel * kDegree)) return true;
       }
     return false;
   }
@@ -167,7 +176,7 @@ void expect_touches(size_t step) {
       ++at_place;
       continue;
     }
-    if (!best.touches() && !touch.possible(best)) {
+    if (!best.touches() && !touch.possible(place, best)) {
       ++out_of_reach;
       missed[place] += "  " + std::string(to_name(part)) + " out of reach";
       continue;

@@ -100,6 +100,25 @@ Result<std::optional<Entry>> whole(Entry entry, std::vector<Finding> findings, c
   return std::optional<Entry>(std::move(entry));
 }
 
+Result<void> read_history(sqlite3* db, std::string_view kind, const std::string& entry, std::vector<Review>& history) {
+  // The kind is one of three words of this file.
+  return each_row(db,
+                  "SELECT position, reviewer, reviewed_on, verdict, remark, content FROM review WHERE kind = '" +
+                      std::string(kind) + "' AND entry = ?1 ORDER BY position",
+                  entry, entry, kMaxParts, [&history](Row& row) {
+                    const int position = row.integer(0, static_cast<int>(kMaxParts));
+                    Review review;
+                    review.by = row.text();
+                    review.on = row.text();
+                    review.verdict = row.word<ReviewState>();
+                    review.remark = row.text();
+                    review.content = row.text();
+                    const bool in_order = static_cast<size_t>(position) == history.size();
+                    history.push_back(std::move(review));
+                    return in_order;
+                  });
+}
+
 Result<void> read_postures(sqlite3* db, Sign& sign) {
   return each_row(
       db,
@@ -178,8 +197,8 @@ Result<std::optional<Sign>> read_sign_row(sqlite3* db, std::string_view gloss) {
   Result<void> outcome = each_row(
       db,
       "SELECT gloss, kind, category, region, definition, handedness, brows, eyes, mouth, cheeks, head, shoulders, "
-      "gaze, "
-      "face, mouthing, sources, form_evidence, movement_evidence, confidence, review, reviewed_by, reviewed_on "
+      "gaze, face, mouthing, safety_critical, sources, form_evidence, movement_evidence, confidence, review, "
+      "reviewed_by, reviewed_on "
       "FROM sign WHERE gloss = ?1",
       gloss, name, 1, [&found](Row& row) {
         Sign& sign = found.emplace();
@@ -190,6 +209,7 @@ Result<std::optional<Sign>> read_sign_row(sqlite3* db, std::string_view gloss) {
         for (std::string* value :
              {&nm.brows, &nm.eyes, &nm.mouth, &nm.cheeks, &nm.head, &nm.shoulders, &nm.gaze, &nm.face, &nm.mouthing})
           *value = row.text();
+        sign.safety_critical = row.integer(0, 1) == 1;
         sign.provenance = row.provenance();
         return true;
       });
@@ -198,6 +218,8 @@ Result<std::optional<Sign>> read_sign_row(sqlite3* db, std::string_view gloss) {
   if (outcome = read_postures(db, *found); !outcome) return tl::unexpected(outcome.error());
   if (outcome = read_moves(db, *found); !outcome) return tl::unexpected(outcome.error());
   if (outcome = read_features(db, *found); !outcome) return tl::unexpected(outcome.error());
+  if (outcome = read_history(db, "sign", name, found->provenance.history); !outcome)
+    return tl::unexpected(outcome.error());
   std::vector<Finding> findings = check_sign(*found);
   return whole(std::move(*found), std::move(findings), name);
 }
@@ -208,7 +230,8 @@ Result<std::optional<Handshape>> read_handshape_row(sqlite3* db, std::string_vie
   Result<void> outcome = each_row(
       db,
       "SELECT id, name, base, selected, thumb_radial, thumb_palmar, thumb_opposition, thumb_mp, thumb_ip, hamnosys, "
-      "description, aliases, sources, form_evidence, movement_evidence, confidence, review, reviewed_by, reviewed_on "
+      "description, aliases, core, frequency_rank, sources, form_evidence, movement_evidence, confidence, review, "
+      "reviewed_by, reviewed_on "
       "FROM handshape WHERE id = ?1",
       id, name, 1, [&found](Row& row) {
         Handshape& shape = found.emplace();
@@ -220,6 +243,8 @@ Result<std::optional<Handshape>> read_handshape_row(sqlite3* db, std::string_vie
         shape.hamnosys = row.text();
         shape.description = row.text();
         shape.aliases = split(row.text(), '\n');
+        shape.core = row.integer(0, 1) == 1;
+        shape.frequency_rank = row.integer(0, 999);
         shape.provenance = row.provenance();
         return true;
       });
@@ -236,6 +261,8 @@ Result<std::optional<Handshape>> read_handshape_row(sqlite3* db, std::string_vie
                      });
   if (!outcome) return tl::unexpected(outcome.error());
   if (digits != 4) return damaged(name, "a finger is missing");
+  if (outcome = read_history(db, "handshape", std::string(id), found->provenance.history); !outcome)
+    return tl::unexpected(outcome.error());
   std::vector<Finding> findings = check_handshape(*found);
   return whole(std::move(*found), std::move(findings), name);
 }
@@ -277,6 +304,8 @@ Result<std::optional<Phrase>> read_phrase_row(sqlite3* db, std::string_view id) 
                  return true;
                });
   if (!outcome) return tl::unexpected(outcome.error());
+  if (outcome = read_history(db, "phrase", std::string(id), found->provenance.history); !outcome)
+    return tl::unexpected(outcome.error());
   std::vector<Finding> findings = check_phrase(*found);
   return whole(std::move(*found), std::move(findings), name);
 }

@@ -18,6 +18,7 @@ constexpr size_t kMaxPhases = 96;
 constexpr size_t kMaxMoves = 200;
 constexpr size_t kMaxFeatures = 64;
 constexpr size_t kMaxDefinition = 600;
+constexpr size_t kMaxName = 200, kMaxRemark = 2000, kMaxReviews = 200;
 constexpr double kMaxOffset = 0.6;  // metres: no hand is further from its site
 constexpr std::array<std::string_view, 3> kKinds = {"sign", "letter", "number"};
 constexpr std::array<std::string_view, 11> kRegions = {"all", "north", "south", "act", "nsw", "nt",
@@ -107,6 +108,33 @@ void check_provenance(const Provenance& provenance, Findings& findings) {
   else
     findings.require(provenance.reviewed_by.empty() && provenance.reviewed_on.empty(), "review",
                      "reviewed_by or reviewed_on without a decided review");
+  for (size_t i = 0; i < provenance.history.size(); ++i) {
+    const Review& review = provenance.history[i];
+    findings.require(!review.by.empty() && review.by.size() <= kMaxName && is_iso_date(review.on),
+                     indexed("reviews", i), "a review needs by (at most 200 bytes) and on (YYYY-MM-DD)");
+    findings.require(review.remark.size() <= kMaxRemark, indexed("reviews", i), "a remark of more than 2000 bytes");
+    const bool digest = review.content.size() == 32 && std::ranges::all_of(review.content, [](char c) {
+                          return is_digit(c) || (c >= 'a' && c <= 'f');
+                        });
+    findings.require(review.content.empty() || digest, indexed("reviews", i),
+                     "content; expected 32 hexadecimal digits");
+  }
+  if (provenance.history.empty()) return;
+  const Review& last = provenance.history.back();
+  findings.require(provenance.history.size() <= kMaxReviews, "reviews", "more than 200 reviews");
+  findings.require(last.verdict == provenance.review &&
+                       (!decided || (last.by == provenance.reviewed_by && last.on == provenance.reviewed_on)),
+                   "review", "review, reviewed_by and reviewed_on do not say what the last of reviews says");
+}
+
+/// A decided review holds for what was looked at.
+void check_reviewed_content(const Provenance& provenance, const std::string& content, Findings& findings) {
+  if (provenance.review == ReviewState::kUnreviewed || provenance.history.empty()) return;
+  const std::string& seen = provenance.history.back().content;
+  findings.require(
+      seen.empty() || seen == content, "review",
+      "the entry was changed after this review; review it again, or set review to \"unreviewed\" and add a "
+      "review that says so");
 }
 
 void check_face(const NonManual& face, Findings& findings) {
@@ -287,6 +315,7 @@ std::vector<Finding> check_handshape(const Handshape& shape) {
     }
     start = end + 1;
   }
+  findings.require(shape.frequency_rank >= 0 && shape.frequency_rank <= 999, "frequency_rank", "expected 0 to 999");
   check_provenance(shape.provenance, findings);
   return list;
 }
@@ -369,6 +398,8 @@ std::vector<Finding> check_lexicon(const LexiconText& text) {
   std::set<std::string_view> shapes;
   for (const Handshape& shape : text.handshapes) {
     append(list, check_handshape(shape));
+    Findings findings(list, "handshape " + shape.id);
+    check_reviewed_content(shape.provenance, content_digest(shape), findings);
     if (!shapes.insert(shape.id).second) list.push_back({"handshape " + shape.id, "id", "the id is used twice"});
   }
   for (const Handshape& shape : text.handshapes)
@@ -378,6 +409,10 @@ std::vector<Finding> check_lexicon(const LexiconText& text) {
   std::set<std::string_view> glosses;
   for (const Sign& sign : text.signs) {
     append(list, check_sign(sign));
+    if (sign.provenance.review != ReviewState::kUnreviewed) {
+      Findings findings(list, sign.gloss);
+      check_reviewed_content(sign.provenance, content_digest(sign, text.keywords), findings);
+    }
     if (!glosses.insert(sign.gloss).second) list.push_back({sign.gloss, "gloss", "the gloss is used twice"});
     const auto check_shapes = [&](const std::vector<Posture>& postures, std::string_view part) {
       for (size_t i = 0; i < postures.size(); ++i)
@@ -394,6 +429,8 @@ std::vector<Finding> check_lexicon(const LexiconText& text) {
   std::set<std::string_view> phrases;
   for (const Phrase& phrase : text.phrases) {
     append(list, check_phrase(phrase));
+    Findings findings(list, "phrase " + phrase.id);
+    check_reviewed_content(phrase.provenance, content_digest(phrase), findings);
     if (!phrases.insert(phrase.id).second) list.push_back({"phrase " + phrase.id, "id", "the id is used twice"});
     for (const std::string& item : phrase.glosses)
       if (is_capital_gloss(item) && !glosses.contains(item))

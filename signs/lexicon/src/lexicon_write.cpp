@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The canonical text: one fixed order of keys, one line a posture or movement, defaults left out.
+#include "digest/digest.h"
 #include "kinematics/whole_file.h"
 #include "lexicon/face_words.h"
 #include "lexicon/lexicon_text.h"
@@ -14,6 +15,9 @@
 
 namespace auslan {
 namespace {
+
+/// Whether an entry is written with what reviewers said of it.
+enum class Reviews { kWritten, kLeftOut };
 
 constexpr std::string_view kLicence = "# SPDX-License-Identifier: Apache-2.0\n";
 
@@ -96,14 +100,14 @@ void text_line(std::string& out, std::string_view key, std::string_view value) {
   if (!value.empty()) line(out, key, toml_string(value));
 }
 
-void write_provenance(std::string& out, const Provenance& provenance) {
-  line(out, "sources", list_of(provenance.sources));
-  text_line(out, "form_evidence", provenance.form_evidence);
-  text_line(out, "movement_evidence", provenance.movement_evidence);
-  text_line(out, "confidence", to_name(provenance.confidence));
-  text_line(out, "review", to_name(provenance.review));
-  text_line(out, "reviewed_by", provenance.reviewed_by);
-  text_line(out, "reviewed_on", provenance.reviewed_on);
+std::string review_text(const Review& review) {
+  InlineTable table;
+  table.add_text("by", review.by);
+  table.add_text("on", review.on);
+  table.add_text("verdict", to_name(review.verdict));
+  table.add_text("remark", review.remark);
+  table.add_text("content", review.content);
+  return table.str();
 }
 
 std::string posture_text(const Posture& posture) {
@@ -157,6 +161,18 @@ void write_array(std::string& out, std::string_view key, const std::vector<T>& i
   out += "]\n";
 }
 
+void write_provenance(std::string& out, const Provenance& provenance, Reviews reviews) {
+  line(out, "sources", list_of(provenance.sources));
+  text_line(out, "form_evidence", provenance.form_evidence);
+  text_line(out, "movement_evidence", provenance.movement_evidence);
+  text_line(out, "confidence", to_name(provenance.confidence));
+  if (reviews == Reviews::kLeftOut) return;
+  text_line(out, "review", to_name(provenance.review));
+  text_line(out, "reviewed_by", provenance.reviewed_by);
+  text_line(out, "reviewed_on", provenance.reviewed_on);
+  if (!provenance.history.empty()) write_array(out, "reviews", provenance.history, review_text);
+}
+
 std::string keyword_text(const Keyword& keyword) {
   std::string text = keyword.word;
   if (!keyword.part_of_speech.empty() || keyword.rank != 0) (text += ':') += keyword.part_of_speech;
@@ -164,7 +180,8 @@ std::string keyword_text(const Keyword& keyword) {
   return text;
 }
 
-void write_sign(std::string& out, const Sign& sign, const std::vector<std::string>& english) {
+void write_sign(std::string& out, const Sign& sign, const std::vector<std::string>& english,
+                Reviews reviews = Reviews::kWritten) {
   ((out += "\n[[") += sign.kind) += "]]\n";
   text_line(out, "gloss", sign.gloss);
   if (!english.empty()) line(out, "english", list_of(english));
@@ -197,10 +214,11 @@ void write_sign(std::string& out, const Sign& sign, const std::vector<std::strin
   }
   if (!face.empty()) line(out, "face", face.str());
   text_line(out, "mouthing", nm.mouthing);
-  write_provenance(out, sign.provenance);
+  if (sign.safety_critical) line(out, "safety_critical", "true");
+  write_provenance(out, sign.provenance, reviews);
 }
 
-void write_handshape(std::string& out, const Handshape& shape) {
+void write_handshape(std::string& out, const Handshape& shape, Reviews reviews = Reviews::kWritten) {
   out += "\n[[handshape]]\n";
   text_line(out, "id", shape.id);
   text_line(out, "name", shape.name);
@@ -221,7 +239,9 @@ void write_handshape(std::string& out, const Handshape& shape) {
   text_line(out, "hamnosys", shape.hamnosys);
   text_line(out, "description", shape.description);
   if (!shape.aliases.empty()) line(out, "aliases", list_of(shape.aliases));
-  write_provenance(out, shape.provenance);
+  if (shape.core) line(out, "core", "true");
+  if (shape.frequency_rank != 0) line(out, "frequency_rank", std::to_string(shape.frequency_rank));
+  write_provenance(out, shape.provenance, reviews);
 }
 
 std::string span_text(const NonManualSpan& span) {
@@ -238,7 +258,7 @@ std::string span_text(const NonManualSpan& span) {
   return table.str();
 }
 
-void write_phrase(std::string& out, const Phrase& phrase) {
+void write_phrase(std::string& out, const Phrase& phrase, Reviews reviews = Reviews::kWritten) {
   out += "\n[[phrase]]\n";
   text_line(out, "id", phrase.id);
   text_line(out, "domain", phrase.domain);
@@ -246,7 +266,7 @@ void write_phrase(std::string& out, const Phrase& phrase) {
   line(out, "glosses", list_of(phrase.glosses));
   if (!phrase.non_manual.empty()) write_array(out, "spans", phrase.non_manual, span_text);
   text_line(out, "notes", phrase.notes);
-  write_provenance(out, phrase.provenance);
+  write_provenance(out, phrase.provenance, reviews);
 }
 
 }  // namespace
@@ -290,6 +310,27 @@ std::vector<TextSource> write_lexicon_text(const LexiconText& text) {
     sources.push_back({"signs/" + category + ".toml", std::move(file)});
   sources.push_back({"phrases.toml", std::move(phrases)});
   return sources;
+}
+
+std::string content_digest(const Sign& sign, std::span<const Keyword> keywords) {
+  std::vector<std::string> english;
+  for (const Keyword& keyword : keywords)
+    if (keyword.gloss == sign.gloss) english.push_back(keyword_text(keyword));
+  std::string text = "# " + sign.category;
+  write_sign(text, sign, english, Reviews::kLeftOut);
+  return digest_of(text);
+}
+
+std::string content_digest(const Handshape& shape) {
+  std::string text;
+  write_handshape(text, shape, Reviews::kLeftOut);
+  return digest_of(text);
+}
+
+std::string content_digest(const Phrase& phrase) {
+  std::string text;
+  write_phrase(text, phrase, Reviews::kLeftOut);
+  return digest_of(text);
 }
 
 Result<void> save_lexicon_text(const LexiconText& text, const std::filesystem::path& folder) {

@@ -20,6 +20,18 @@ Provenance read_provenance(TableReader& reader, Need evidence) {
   provenance.review = reader.vocabulary<ReviewState>("review", Need::kOptional).value_or(ReviewState::kUnreviewed);
   provenance.reviewed_by = reader.text("reviewed_by", Need::kOptional);
   provenance.reviewed_on = reader.text("reviewed_on", Need::kOptional);
+  for (const toml::table* table : reader.tables("reviews", Need::kOptional)) {
+    TableReader inner(*table, reader.what() + " reviews[" + std::to_string(provenance.history.size()) + "]",
+                      reader.problems());
+    Review review;
+    review.by = inner.text("by", Need::kRequired);
+    review.on = inner.text("on", Need::kRequired);
+    review.verdict = inner.vocabulary<ReviewState>("verdict", Need::kRequired).value_or(ReviewState::kUnreviewed);
+    review.remark = inner.text("remark", Need::kOptional);
+    review.content = inner.text("content", Need::kOptional);
+    inner.finish();
+    provenance.history.push_back(std::move(review));
+  }
   return provenance;
 }
 
@@ -157,6 +169,8 @@ void read_handshape(TableReader& reader, LexiconText& text, Places& places) {
   shape.hamnosys = reader.text("hamnosys", Need::kOptional);
   shape.description = reader.text("description", Need::kRequired);
   shape.aliases = reader.texts("aliases", Need::kOptional);
+  shape.core = reader.flag("core");
+  shape.frequency_rank = reader.integer("frequency_rank", 0, 0, 999);
   shape.provenance = read_provenance(reader, Need::kOptional);
   reader.finish();
   text.handshapes.push_back(std::move(shape));
@@ -199,6 +213,7 @@ void read_sign(TableReader& reader, std::string_view kind, std::string_view cate
     sign.non_manual = read_face(inner);
   }
   sign.non_manual.mouthing = reader.text("mouthing", Need::kOptional);
+  sign.safety_critical = reader.flag("safety_critical");
   sign.provenance = read_provenance(reader, Need::kRequired);
   reader.finish();
   text.signs.push_back(std::move(sign));

@@ -44,7 +44,8 @@ std::string provenance() {
          "  confidence " +
          vocabulary<Confidence>("confidence") + ",\n" + "  review " + vocabulary<ReviewState>("review") + ",\n" +
          "  reviewed_by TEXT NOT NULL CHECK ((reviewed_by = '') = (review = 'unreviewed')),\n"
-         "  reviewed_on TEXT NOT NULL CHECK ((reviewed_on = '') = (review = 'unreviewed'))";
+         "  reviewed_on TEXT NOT NULL CHECK ((reviewed_on = '') = (review = 'unreviewed')),\n"
+         "  content TEXT NOT NULL CHECK (length(content) = 32)";
 }
 
 }  // namespace
@@ -66,7 +67,9 @@ std::vector<TableSchema> lexicon_tables() {
                     "  thumb_ip REAL NOT NULL,\n"
                     "  hamnosys TEXT NOT NULL,\n"
                     "  description TEXT NOT NULL,\n"
-                    "  aliases TEXT NOT NULL,\n" +
+                    "  aliases TEXT NOT NULL,\n"
+                    "  core INTEGER NOT NULL CHECK (core IN (0, 1)),\n"
+                    "  frequency_rank INTEGER NOT NULL CHECK (frequency_rank BETWEEN 0 AND 999),\n" +
                         provenance() + ") STRICT"});
   tables.push_back({"finger",
                     "CREATE TABLE finger (\n"
@@ -89,7 +92,9 @@ std::vector<TableSchema> lexicon_tables() {
                         vocabulary<Handedness>("handedness") + ",\n" + "  brows " + face(kBrows) + ",\n" + "  eyes " +
                         face(kEyes) + ",\n" + "  mouth " + face(kMouth) + ",\n" + "  cheeks " + face(kCheeks) + ",\n" +
                         "  head " + face(kHead) + ",\n" + "  shoulders " + face(kShoulders) + ",\n" + "  gaze " +
-                        face(kGaze) + ",\n" + "  face " + face(kFace) + ",\n" + "  mouthing TEXT NOT NULL,\n" +
+                        face(kGaze) + ",\n" + "  face " + face(kFace) + ",\n" +
+                        "  mouthing TEXT NOT NULL,\n"
+                        "  safety_critical INTEGER NOT NULL CHECK (safety_critical IN (0, 1)),\n" +
                         provenance() + ") STRICT"});
   tables.push_back({"posture",
                     "CREATE TABLE posture (\n"
@@ -179,6 +184,21 @@ std::vector<TableSchema> lexicon_tables() {
                         "  mouth " + face(kMouth) + ",\n" + "  eyes " + face(kEyes) + ",\n" +
                         "  ending TEXT NOT NULL " + check_in("ending", span_endings(), true) + ",\n" +
                         "  PRIMARY KEY (phrase, position)) STRICT, WITHOUT ROWID"});
+  tables.push_back({"review",
+                    "CREATE TABLE review (\n"
+                    "  kind TEXT NOT NULL CHECK (kind IN ('handshape', 'sign', 'phrase')),\n"
+                    "  entry TEXT NOT NULL CHECK (entry <> ''),\n"
+                    "  position INTEGER NOT NULL CHECK (position >= 0),\n"
+                    "  reviewer TEXT NOT NULL CHECK (reviewer <> ''),\n"
+                    "  reviewed_on TEXT NOT NULL CHECK (reviewed_on <> ''),\n"
+                    "  verdict " +
+                        vocabulary<ReviewState>("verdict") + ",\n" +
+                        "  remark TEXT NOT NULL,\n"
+                        "  content TEXT NOT NULL CHECK (length(content) IN (0, 32)),\n"
+                        "  PRIMARY KEY (kind, entry, position)) STRICT, WITHOUT ROWID"});
+  tables.push_back({kWordIndex,
+                    "CREATE VIRTUAL TABLE word_index USING fts5(gloss UNINDEXED, words, definition, "
+                    "tokenize = 'porter unicode61')"});
   return tables;
 }
 

@@ -13,6 +13,9 @@ struct TableSchema {
   std::string sql;  ///< the CREATE TABLE statement, byte for byte as SQLite keeps it
 };
 
+/// The full-text index over words and definitions, with the stems of English (Porter).
+inline constexpr std::string_view kWordIndex = "word_index";
+
 /// All tables, in the order in which they are made.
 std::vector<TableSchema> lexicon_tables();
 

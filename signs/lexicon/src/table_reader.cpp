@@ -119,6 +119,14 @@ double TableReader::number(std::string_view key, Need need) {
   return *value;
 }
 
+bool TableReader::flag(std::string_view key) {
+  const toml::node* found = find(key, Need::kOptional, "true or false");
+  if (found == nullptr) return false;
+  const toml::value<bool>* value = found->as_boolean();
+  if (value == nullptr) wrong_type(*found, key, "true or false");
+  return value != nullptr && value->get();
+}
+
 void TableReader::fill_numbers(std::string_view key, Need need, std::span<double> values) {
   const std::string expected = "an array of " + std::to_string(values.size()) + " numbers";
   const toml::node* found = find(key, need, expected);

@@ -55,6 +55,8 @@ class TableReader {
   std::string text(std::string_view key, Need need);
   int integer(std::string_view key, int fallback, int least, int most);
   double number(std::string_view key, Need need);
+  /// False where the key is not there.
+  bool flag(std::string_view key);
   std::vector<std::string> texts(std::string_view key, Need need);
   template <size_t N>
   std::array<double, N> numbers(std::string_view key, Need need) {

@@ -19,7 +19,7 @@ namespace auslan {
 /// "AJlx": the application id in the database's header.
 inline constexpr int kLexiconApplicationId = 0x414A6C78;
 /// The version of the schema (user_version).
-inline constexpr int kLexiconSchemaVersion = 2;
+inline constexpr int kLexiconSchemaVersion = 3;
 
 /// Compiles the lexicon into one database at `path`. The same text gives the same bytes (with the same SQLite). Atomic:
 /// a temporary file beside it is filled, synced and renamed; on failure nothing is left and an old file stays.

@@ -61,6 +61,12 @@ Result<LexiconText> read_lexicon_text(const std::filesystem::path& folder);
 /// bytes. Signs go to signs/CATEGORY.toml.
 std::vector<TextSource> write_lexicon_text(const LexiconText& text);
 
+/// A digest of what an entry says, in its canonical form; what reviewers said of it is no part of that. Of a sign with
+/// those of the keywords that are its own.
+std::string content_digest(const Sign& sign, std::span<const Keyword> keywords);
+std::string content_digest(const Handshape& shape);
+std::string content_digest(const Phrase& phrase);
+
 /// Writes the canonical text into a folder, each file complete or not at all.
 Result<void> save_lexicon_text(const LexiconText& text, const std::filesystem::path& folder);
 

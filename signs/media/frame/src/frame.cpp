@@ -1,31 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "media/frame.h"
 
+#include "digest/digest.h"
+
 #include <algorithm>
-#include <array>
 #include <bit>
-#include <string_view>
-#include <xxhash.h>
 
 namespace auslan {
 
 namespace {
 
-XXH128_hash_t hash_pixels(std::span<const uint32_t> pixels) {
-  if constexpr (std::endian::native == std::endian::little) {
-    return XXH3_128bits(pixels.data(), pixels.size_bytes());
-  } else {
-    XXH3_state_t* state = XXH3_createState();
-    XXH3_128bits_reset(state);
-    for (const uint32_t pixel : pixels) {
-      const std::array<uint8_t, 4> bytes = {static_cast<uint8_t>(pixel), static_cast<uint8_t>(pixel >> 8),
-                                            static_cast<uint8_t>(pixel >> 16), static_cast<uint8_t>(pixel >> 24)};
-      XXH3_128bits_update(state, bytes.data(), bytes.size());
-    }
-    const XXH128_hash_t hash = XXH3_128bits_digest(state);
-    XXH3_freeState(state);
-    return hash;
-  }
+/// Little-endian, whatever the machine.
+std::string bytes_of(std::span<const uint32_t> pixels) {
+  std::string bytes;
+  bytes.reserve(pixels.size_bytes());
+  for (const uint32_t pixel : pixels)
+    for (int shift = 0; shift < 32; shift += 8)
+      bytes += static_cast<char>(pixel >> shift & 0xFF);
+  return bytes;
 }
 
 }  // namespace
@@ -40,16 +32,10 @@ PixelRect intersection(const PixelRect& a, const PixelRect& b) {
 }
 
 std::string frame_digest(FrameView frame) {
-  XXH128_canonical_t canonical;
-  XXH128_canonicalFromHash(&canonical, hash_pixels(frame.pixels));
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  std::string text;
-  text.reserve(32);
-  for (const unsigned char byte : canonical.digest) {
-    text += kDigits[byte >> 4];
-    text += kDigits[byte & 15];
-  }
-  return text;
+  if constexpr (std::endian::native == std::endian::little)
+    return digest_of({reinterpret_cast<const char*>(frame.pixels.data()), frame.pixels.size_bytes()});
+  else
+    return digest_of(bytes_of(frame.pixels));
 }
 
 }  // namespace auslan

@@ -309,6 +309,17 @@ struct NonManual {
   friend bool operator==(const NonManual&, const NonManual&) = default;
 };
 
+/// What somebody said of an entry after looking at it.
+struct Review {
+  std::string by;
+  std::string on;  ///< ISO date
+  ReviewState verdict = ReviewState::kUnreviewed;
+  std::string remark;   ///< may be empty
+  std::string content;  ///< the entry's content digest at that time; empty: not noted
+
+  friend bool operator==(const Review&, const Review&) = default;
+};
+
 /// Where an entry comes from and how sure we are of it.
 struct Provenance {
   std::vector<std::string> sources;  ///< tags of assets/SOURCES.md
@@ -316,8 +327,9 @@ struct Provenance {
   std::string movement_evidence;     ///< what the movement rests on: measured, documented, iconic, cognate, memory
   Confidence confidence = Confidence::kLow;
   ReviewState review = ReviewState::kUnreviewed;
-  std::string reviewed_by;  ///< empty unless reviewed or rejected
-  std::string reviewed_on;  ///< ISO date, empty unless reviewed or rejected
+  std::string reviewed_by;      ///< empty unless reviewed or rejected
+  std::string reviewed_on;      ///< ISO date, empty unless reviewed or rejected
+  std::vector<Review> history;  ///< oldest first; the last one is what `review`, by and on say
 
   friend bool operator==(const Provenance&, const Provenance&) = default;
 };
@@ -334,6 +346,7 @@ struct Sign {
                                       ///< In a symmetric sign it is left empty: it is the mirror image
   std::vector<Movement> movements;
   NonManual non_manual;
+  bool safety_critical = false;  ///< somebody may come to harm where it is misunderstood
   Provenance provenance;
 
   friend bool operator==(const Sign&, const Sign&) = default;
@@ -364,6 +377,8 @@ struct Handshape {
   std::string hamnosys;     ///< approximate symbol names, comma-separated, or empty
   std::string description;  ///< in our own words
   std::vector<std::string> aliases;
+  bool core = false;       ///< of the 37 core handshapes of Auslan
+  int frequency_rank = 0;  ///< among the handshapes of the dictionary, 1 is the most frequent; 0: not counted
   Provenance provenance;
 
   friend bool operator==(const Handshape&, const Handshape&) = default;
