@@ -189,6 +189,27 @@ Result<void> read_features(sqlite3* db, Sign& sign) {
                   });
 }
 
+Result<std::vector<SignSummary>> read_summaries_where(sqlite3* db, std::string_view condition,
+                                                      std::string_view parameter) {
+  std::vector<SignSummary> list;
+  Result<void> outcome =
+      each_row(db,
+               "SELECT gloss, kind, category, region, definition, handedness, confidence, review FROM sign WHERE " +
+                   std::string(condition),
+               parameter, "the table of signs", kMaxRows, [&list](Row& row) {
+                 SignSummary sign;
+                 for (std::string* value : {&sign.gloss, &sign.kind, &sign.category, &sign.region, &sign.definition})
+                   *value = row.text();
+                 sign.handedness = row.word<Handedness>();
+                 sign.confidence = row.word<Confidence>();
+                 sign.review = row.word<ReviewState>();
+                 list.push_back(std::move(sign));
+                 return true;
+               });
+  if (!outcome) return tl::unexpected(outcome.error());
+  return list;
+}
+
 }  // namespace
 
 Result<std::optional<Sign>> read_sign_row(sqlite3* db, std::string_view gloss) {
@@ -336,23 +357,13 @@ Result<std::vector<Keyword>> read_keyword_rows(sqlite3* db, std::vector<Finding>
 }
 
 Result<std::vector<SignSummary>> read_summaries(sqlite3* db) {
-  std::vector<SignSummary> list;
-  Result<void> outcome =
-      each_row(db,
-               "SELECT gloss, kind, category, region, definition, handedness, confidence, review FROM sign "
-               "WHERE ?1 = '' ORDER BY position",
-               "", "the table of signs", kMaxRows, [&list](Row& row) {
-                 SignSummary sign;
-                 for (std::string* value : {&sign.gloss, &sign.kind, &sign.category, &sign.region, &sign.definition})
-                   *value = row.text();
-                 sign.handedness = row.word<Handedness>();
-                 sign.confidence = row.word<Confidence>();
-                 sign.review = row.word<ReviewState>();
-                 list.push_back(std::move(sign));
-                 return true;
-               });
-  if (!outcome) return tl::unexpected(outcome.error());
-  return list;
+  return read_summaries_where(db, "?1 = '' ORDER BY position", "");
+}
+
+Result<std::optional<SignSummary>> read_summary(sqlite3* db, std::string_view gloss) {
+  Result<std::vector<SignSummary>> found = read_summaries_where(db, "gloss = ?1", gloss);
+  if (!found) return tl::unexpected(found.error());
+  return found->empty() ? std::optional<SignSummary>() : std::optional<SignSummary>(std::move(found->front()));
 }
 
 Result<std::vector<std::string>> read_names(sqlite3* db, std::string_view sql,
@@ -364,6 +375,33 @@ Result<std::vector<std::string>> read_names(sqlite3* db, std::string_view sql,
   });
   if (!outcome) return tl::unexpected(outcome.error());
   return names;
+}
+
+Result<LexiconText> read_lexicon_rows(sqlite3* db) {
+  LexiconText text;
+  const auto read_each = [db](std::string_view sql, const auto& read, auto& list) -> Result<void> {
+    const Result<std::vector<std::string>> names = read_names(db, sql);
+    if (!names) return tl::unexpected(names.error());
+    for (const std::string& name : *names) {
+      auto entry = read(db, name);
+      if (!entry) return tl::unexpected(entry.error());
+      if (!*entry) return damaged(name, "it cannot be found by its name");
+      list.push_back(std::move(**entry));
+    }
+    return {};
+  };
+  Result<void> outcome =
+      read_each("SELECT id FROM handshape WHERE ?1 = '' ORDER BY position", read_handshape_row, text.handshapes);
+  if (outcome) outcome = read_each("SELECT gloss FROM sign WHERE ?1 = '' ORDER BY position", read_sign_row, text.signs);
+  if (outcome)
+    outcome = read_each("SELECT id FROM phrase WHERE ?1 = '' ORDER BY position", read_phrase_row, text.phrases);
+  if (!outcome) return tl::unexpected(outcome.error());
+  std::vector<Finding> findings;
+  Result<std::vector<Keyword>> keywords = read_keyword_rows(db, findings);
+  if (!keywords) return tl::unexpected(keywords.error());
+  if (!findings.empty()) return damaged(findings.front().entry, findings.front().message);
+  text.keywords = std::move(*keywords);
+  return text;
 }
 
 }  // namespace auslan

@@ -19,6 +19,9 @@ Result<std::optional<Phrase>> read_phrase_row(sqlite3* db, std::string_view id);
 /// In the order of the text; damaged rows are left out and told in `findings`.
 Result<std::vector<Keyword>> read_keyword_rows(sqlite3* db, std::vector<Finding>& findings);
 Result<std::vector<SignSummary>> read_summaries(sqlite3* db);
+Result<std::optional<SignSummary>> read_summary(sqlite3* db, std::string_view gloss);
+/// All that is there; an Error names the first damaged entry.
+Result<LexiconText> read_lexicon_rows(sqlite3* db);
 /// The first column of a query with at most one parameter, as texts.
 Result<std::vector<std::string>> read_names(sqlite3* db, std::string_view sql,
                                             std::optional<std::string_view> parameter = {});

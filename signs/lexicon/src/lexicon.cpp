@@ -2,63 +2,19 @@
 #include "lexicon/lexicon.h"
 
 #include "database_read.h"
+#include "examine.h"
 #include "phonology/vocabulary.h"
 #include "schema.h"
 #include "statement.h"
 
 #include <algorithm>
+#include <functional>
+#include <map>
 #include <set>
 #include <tuple>
 
 namespace auslan {
 namespace {
-
-constexpr std::string_view kRebuild = "rebuild it: auslan-lexicon-build assets/lexicon -o lexicon.sqlite";
-// Far more than any read of a sound lexicon takes; a damaged or hostile file ends here.
-constexpr int kMaxBatches = 2000;
-constexpr int kOpsPerBatch = 100000;
-
-std::string advice(const std::string& what) {
-  return what + "; " + std::string(kRebuild);
-}
-
-Result<int> read_pragma(sqlite3* db, std::string_view sql) {
-  Result<Statement> statement = Statement::prepare(db, sql);
-  if (!statement) return tl::unexpected(statement.error());
-  const Result<bool> row = statement->step();
-  if (!row) return tl::unexpected(row.error());
-  const int value = *row ? statement->integer(0, INT32_MIN, INT32_MAX) : 0;
-  return value;
-}
-
-Result<std::string> read_one_text(sqlite3* db, std::string_view sql, std::string_view parameter) {
-  Result<std::vector<std::string>> rows = read_names(db, sql, parameter);
-  if (!rows) return tl::unexpected(rows.error());
-  return rows->empty() ? std::string() : rows->front();
-}
-
-/// Ours, of this version, whole, and with the tables exactly as this program makes them: what is read afterwards can
-/// then be no view, and obeys the CHECKs unless bytes were changed behind SQLite's back.
-Result<void> examine(sqlite3* db) {
-  const Result<int> id = read_pragma(db, "PRAGMA application_id");
-  if (!id) return fail(ErrorCode::kMalformed, advice("not a database, or a damaged one"));
-  if (*id != kLexiconApplicationId) return fail(ErrorCode::kMalformed, advice("not a lexicon of this program"));
-  const Result<int> version = read_pragma(db, "PRAGMA user_version");
-  if (!version || *version != kLexiconSchemaVersion)
-    return fail(ErrorCode::kUnsupported, advice("a lexicon of another version (" + std::to_string(version.value_or(0)) +
-                                                ", this program reads " + std::to_string(kLexiconSchemaVersion) + ")"));
-  const Result<std::vector<std::string>> check = read_names(db, "SELECT quick_check FROM pragma_quick_check(1)");
-  if (!check || *check != std::vector<std::string>{"ok"})
-    return fail(ErrorCode::kMalformed, advice("the lexicon is damaged"));
-  for (const TableSchema& table : lexicon_tables()) {
-    const Result<std::string> sql =
-        read_one_text(db, "SELECT sql FROM sqlite_schema WHERE type = 'table' AND name = ?1", table.name);
-    if (!sql || *sql != table.sql)
-      return fail(ErrorCode::kMalformed,
-                  advice("the table " + std::string(table.name) + " is missing or not as this program makes it"));
-  }
-  return {};
-}
 
 char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -68,6 +24,25 @@ std::string lowered(std::string_view text) {
   std::string out(text);
   std::ranges::transform(out, out.begin(), lower);
   return out;
+}
+
+/// What the full-text index is asked for: every word of the text, the last one also as a beginning; empty where the
+/// text has no words.
+std::string full_text_query(std::string_view text) {
+  std::string query, word;
+  const auto end_word = [&] {
+    if (!word.empty()) query += (query.empty() ? "\"" : " \"") + word + '"';
+    word.clear();
+  };
+  for (const char c : text) {
+    const bool part = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || static_cast<unsigned char>(c) >= 0x80;
+    if (part)
+      word += c;
+    else
+      end_word();
+  }
+  end_word();
+  return query.empty() ? query : query + "*";
 }
 
 /// 0 equal, 1 begins, 2 contains, 3 not found.
@@ -86,6 +61,7 @@ struct Lexicon::State {
   Database db;
   std::vector<Keyword> keywords;
   std::vector<Keyword> keywords_in_text_order;
+  std::map<std::string, std::vector<size_t>, std::less<>> keywords_of;  ///< by gloss, indices of `keywords`
   std::vector<Phrase> phrases;
   std::vector<Finding> damaged;
   int batches = 0;
@@ -115,13 +91,7 @@ Result<Lexicon> Lexicon::open(const std::filesystem::path& path) {
   state->place = path.string();
   state->db = std::move(*db);
   sqlite3* raw = state->db.get();
-  sqlite3_db_config(raw, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
-  sqlite3_db_config(raw, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
-  sqlite3_limit(raw, SQLITE_LIMIT_LENGTH, 1 << 20);
-  sqlite3_busy_timeout(raw, 2000);
-  int* batches = &state->batches;
-  sqlite3_progress_handler(
-      raw, kOpsPerBatch, [](void* count) { return ++*static_cast<int*>(count) > kMaxBatches ? 1 : 0; }, batches);
+  distrust(raw, &state->batches);
   const auto placed = [&path](Error problem) {
     problem.place = path.string();
     return tl::unexpected(std::move(problem));
@@ -133,6 +103,8 @@ Result<Lexicon> Lexicon::open(const std::filesystem::path& path) {
   std::ranges::sort(*keywords, {},
                     [](const Keyword& k) { return std::tie(k.word, k.part_of_speech, k.rank, k.gloss); });
   state->keywords = std::move(*keywords);
+  for (size_t i = 0; i < state->keywords.size(); ++i)
+    state->keywords_of[state->keywords[i].gloss].push_back(i);
   const Result<std::vector<std::string>> ids =
       read_names(raw, "SELECT id FROM phrase WHERE ?1 = '' ORDER BY position", "");
   if (!ids) return placed(ids.error());
@@ -206,81 +178,119 @@ Result<std::vector<SignSummary>> Lexicon::list(const ListFilter& filter) const {
     keep_only(*users);
   }
   if (filter.location) {
+    const auto users =
+        state_->in_file(read_names(db, "SELECT DISTINCT gloss FROM posture WHERE location = ?1 OR contact_target = ?1",
+                                   to_name(*filter.location)));
+    if (!users) return tl::unexpected(users.error());
+    keep_only(*users);
+  }
+  if (filter.movement) {
     const auto users = state_->in_file(
-        read_names(db, "SELECT DISTINCT gloss FROM posture WHERE location = ?1", to_name(*filter.location)));
+        read_names(db, "SELECT DISTINCT gloss FROM movement WHERE kind = ?1", to_name(*filter.movement)));
     if (!users) return tl::unexpected(users.error());
     keep_only(*users);
   }
   std::erase_if(*all, [&filter](const SignSummary& sign) {
     return (!filter.kind.empty() && sign.kind != filter.kind) ||
            (!filter.category.empty() && sign.category != filter.category) ||
-           (!filter.region.empty() && sign.region != filter.region) || (filter.review && sign.review != *filter.review);
+           (!filter.region.empty() && sign.region != filter.region) ||
+           (filter.review && sign.review != *filter.review) ||
+           (filter.handedness && sign.handedness != *filter.handedness);
   });
   return all;
 }
 
 Result<std::vector<SearchHit>> Lexicon::search(std::string_view text) const {
-  Result<std::vector<SignSummary>> all = list();
-  if (!all) return tl::unexpected(all.error());
+  state_->batches = 0;
   const std::string wanted = lowered(text);
   std::vector<SearchHit> hits;
-  if (wanted.empty()) return hits;
-  for (SignSummary& sign : *all) {
-    SearchHit hit{{}, sign.gloss, match_rank(sign.gloss, wanted)};
-    for (const Keyword& keyword : state_->keywords)
-      if (keyword.gloss == sign.gloss && match_rank(keyword.word, wanted) < hit.rank)
-        hit = {{}, keyword.word, match_rank(keyword.word, wanted)};
-    if (hit.rank == 3) {
-      if (match_rank(sign.definition, wanted) == 3) continue;
-      hit.matched = sign.definition;
+  const std::string query = full_text_query(wanted);
+  if (!query.empty()) {
+    const Result<std::vector<std::string>> found =
+        state_->in_file(read_names(state_->db.get(), "SELECT gloss FROM word_index WHERE word_index MATCH ?1", query));
+    if (!found) return tl::unexpected(found.error());
+    for (const std::string& gloss : *found) {
+      Result<std::optional<SignSummary>> sign = state_->in_file(read_summary(state_->db.get(), gloss));
+      if (!sign) return tl::unexpected(sign.error());
+      if (!*sign)
+        return fail(ErrorCode::kMalformed, "the full-text index names " + gloss + ", which is not there",
+                    state_->place);
+      SearchHit hit = hit_of(std::move(**sign), wanted);
+      if (hit.matched.empty()) {
+        // Found by another form of its words; which of them is not told.
+        hit.matched = hit.sign.gloss;
+        hit.rank = 2;
+      }
+      hits.push_back(std::move(hit));
     }
-    hit.sign = std::move(sign);
-    hits.push_back(std::move(hit));
+  }
+  if (hits.empty() && !wanted.empty()) {
+    Result<std::vector<SignSummary>> all = list();
+    if (!all) return tl::unexpected(all.error());
+    for (SignSummary& sign : *all) {
+      SearchHit hit = hit_of(std::move(sign), wanted);
+      if (!hit.matched.empty()) hits.push_back(std::move(hit));
+    }
   }
   std::ranges::sort(hits, {}, [](const SearchHit& hit) { return std::tie(hit.rank, hit.sign.gloss); });
   return hits;
 }
 
-Result<LexiconCounts> Lexicon::counts() const {
-  Result<std::vector<SignSummary>> all = list();
-  if (!all) return tl::unexpected(all.error());
-  const Result<std::vector<std::string>> shapes =
-      state_->in_file(read_names(state_->db.get(), "SELECT id FROM handshape WHERE ?1 = ''", ""));
-  if (!shapes) return tl::unexpected(shapes.error());
-  LexiconCounts counts;
-  counts.handshapes = static_cast<int>(shapes->size());
-  counts.keywords = static_cast<int>(state_->keywords.size());
-  counts.phrases = static_cast<int>(state_->phrases.size());
-  const auto tally = [&counts](ReviewState review) {
-    if (review == ReviewState::kReviewed) ++counts.reviewed;
-    if (review == ReviewState::kRejected) ++counts.rejected;
+SearchHit Lexicon::hit_of(SignSummary sign, std::string_view wanted) const {
+  SearchHit hit;
+  hit.rank = 4;
+  const auto consider = [&](const std::string& word, int rank) {
+    if (rank >= hit.rank) return;
+    hit.matched = word;
+    hit.rank = rank;
   };
-  for (const SignSummary& sign : *all) {
-    ++(sign.kind == "letter" ? counts.letters : sign.kind == "number" ? counts.numbers : counts.signs);
-    tally(sign.review);
+  const auto rank_of = [&](const std::string& word) {
+    const int rank = match_rank(word, wanted);
+    return rank < 3 ? rank : 4;
+  };
+  consider(sign.gloss, rank_of(sign.gloss));
+  if (const auto own = state_->keywords_of.find(sign.gloss); own != state_->keywords_of.end())
+    for (const size_t index : own->second)
+      consider(state_->keywords[index].word, rank_of(state_->keywords[index].word));
+  if (match_rank(sign.definition, wanted) < 3) consider(sign.definition, 3);
+  hit.sign = std::move(sign);
+  return hit;
+}
+
+Result<LexiconCounts> Lexicon::counts() const {
+  const Result<LexiconText> text = read_all();
+  if (!text) return tl::unexpected(text.error());
+  LexiconCounts counts;
+  for (const Handshape& shape : text->handshapes) {
+    ++counts.handshapes;
+    counts.base_handshapes += shape.base == shape.id ? 1 : 0;
+    counts.core_handshapes += shape.core ? 1 : 0;
   }
-  for (const Phrase& phrase : state_->phrases)
-    tally(phrase.provenance.review);
+  counts.keywords = static_cast<int>(text->keywords.size());
+  counts.phrases = static_cast<int>(text->phrases.size());
+  const auto tally = [&counts](const Provenance& provenance) {
+    if (provenance.review == ReviewState::kReviewed) ++counts.reviewed;
+    if (provenance.review == ReviewState::kRejected) ++counts.rejected;
+  };
+  for (const Sign& sign : text->signs) {
+    ++(sign.kind == "letter" ? counts.letters : sign.kind == "number" ? counts.numbers : counts.signs);
+    tally(sign.provenance);
+    counts.safety_critical += sign.safety_critical ? 1 : 0;
+    ++counts.regions[sign.region];
+    ++counts.confidences[std::string(to_name(sign.provenance.confidence))];
+    const std::string& evidence = sign.provenance.movement_evidence;
+    ++counts.movement_evidence[evidence.substr(0, evidence.find_first_of(":; "))];
+    for (const std::string& source : sign.provenance.sources)
+      ++counts.sources[source];
+  }
+  for (const Phrase& phrase : text->phrases)
+    tally(phrase.provenance);
   return counts;
 }
 
 Result<LexiconText> Lexicon::read_all() const {
-  LexiconText text;
-  Result<std::vector<Handshape>> shapes = handshapes();
-  if (!shapes) return tl::unexpected(shapes.error());
-  text.handshapes = std::move(*shapes);
-  Result<std::vector<SignSummary>> all = list();
-  if (!all) return tl::unexpected(all.error());
-  for (const SignSummary& summary : *all) {
-    Result<std::optional<Sign>> entry = sign(summary.gloss);
-    if (!entry) return tl::unexpected(entry.error());
-    if (*entry) text.signs.push_back(std::move(**entry));
-  }
-  if (!state_->damaged.empty())
-    return fail(ErrorCode::kMalformed, state_->damaged.front().entry + ": " + state_->damaged.front().message);
-  text.keywords = state_->keywords_in_text_order;
-  text.phrases = state_->phrases;
-  return text;
+  state_->batches = 0;
+  return state_->in_file(read_lexicon_rows(state_->db.get()));
 }
 
 std::vector<Finding> Lexicon::check() const {

@@ -2,6 +2,7 @@
 #include "command_line.h"
 
 #include "auslanjam_version.h"
+#include "db_options.h"
 
 #include <CLI/CLI.hpp>
 #include <array>
@@ -373,20 +374,10 @@ std::variant<Options, ExitNow> parse_command_line(int argc, const char* const* a
   CLI::App* notation =
       app.add_subcommand("notation", "Tell what is understood of signs in SiGML or HamNoSys, or write them otherwise");
   add_notation(*notation, options);
-  CLI::App* db = app.add_subcommand("db", "Look into the lexicon");
-  db->require_subcommand(1);
-  CLI::App* list = db->add_subcommand("list", "List the entries");
-  list->add_option("--kind", options.kind, "sign, letter or number")
-      ->check(CLI::IsMember({"sign", "letter", "number"}));
-  list->add_option("--category", options.category, "Only this category")->type_name("NAME");
-  list->add_option("--region", options.region, "Only this region")->type_name("NAME");
-  CLI::App* show = db->add_subcommand("show", "Show whole entries");
-  show->add_option("GLOSS", options.words, "Which")->required();
-  CLI::App* search = db->add_subcommand("search", "Search glosses, English words and definitions");
-  search->add_option("WORDS", options.words, "What to look for")->required();
-  CLI::App* check_db = db->add_subcommand("check", "Check the database against its rules");
-  for (CLI::App* sub : {sign, render, motion, translate, experiment, bench, avatar, check_signs, notation, list, show,
-                        search, check_db})
+  const auto db = add_db(app, options);
+  for (CLI::App* sub : {sign, render, motion, translate, experiment, bench, avatar, check_signs, notation})
+    add_common(*sub, options);
+  for (const auto& [sub, command] : db)
     add_common(*sub, options);
 
   // `auslanjam TEXT` is `auslanjam sign TEXT`.
@@ -422,10 +413,8 @@ std::variant<Options, ExitNow> parse_command_line(int argc, const char* const* a
   if (*notation) options.command = Command::kNotation;
   if (*bench) options.command = Command::kBench;
   if (*bench && !options.source.text) options.source.text = "Where does it hurt?";
-  if (*list) options.command = Command::kDbList;
-  if (*show) options.command = Command::kDbShow;
-  if (*search) options.command = Command::kDbSearch;
-  if (*check_db) options.command = Command::kDbCheck;
+  for (const auto& [sub, command] : db)
+    if (*sub) options.command = command;
   if (const std::string wrong = check(options); !wrong.empty()) {
     std::cerr << "auslanjam: " << wrong << "\n`auslanjam --help` tells how to use it\n";
     return ExitNow{2};

@@ -13,6 +13,7 @@ Result<void> run_render(const Options& options);
 Result<void> run_motion(const Options& options);
 Result<void> run_translate(const Options& options);
 Result<void> run_db(const Options& options);
+Result<void> run_db_edit(const Options& options);
 Result<void> run_experiment(const Options& options);
 Result<void> run_avatar(const Options& options);
 Result<void> run_bench(const Options& options);

@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <type_traits>
 
 namespace auslan {
 namespace {
@@ -84,6 +86,14 @@ Json sign_json(const Sign& sign, const std::vector<Keyword>& keywords) {
                         {"cheeks", face.cheeks}, {"head", face.head}, {"shoulders", face.shoulders},
                         {"gaze", face.gaze},     {"face", face.face}, {"mouthing", face.mouthing}};
   const Provenance& from = sign.provenance;
+  json["safety_critical"] = sign.safety_critical;
+  json["reviews"] = Json::array();
+  for (const Review& review : sign.provenance.history)
+    json["reviews"].push_back({{"by", review.by},
+                               {"on", review.on},
+                               {"verdict", to_name(review.verdict)},
+                               {"remark", review.remark},
+                               {"content", review.content}});
   json["provenance"] = {{"sources", from.sources},
                         {"form_evidence", from.form_evidence},
                         {"movement_evidence", from.movement_evidence},
@@ -131,8 +141,12 @@ std::string sign_text(const Sign& sign, const std::vector<Keyword>& keywords) {
   }
   if (!sign.non_manual.mouthing.empty()) text += "  mouthing: " + sign.non_manual.mouthing + "\n";
   const Provenance& from = sign.provenance;
+  if (sign.safety_critical) text += "  safety-critical: spelled in strict mode while it is doubtful\n";
   text += "  confidence: " + std::string(to_name(from.confidence)) + "; review: " + std::string(to_name(from.review));
   if (!from.reviewed_by.empty()) text += " by " + from.reviewed_by + " on " + from.reviewed_on;
+  for (const Review& review : from.history)
+    text += "\n  " + std::string(to_name(review.verdict)) + " by " + review.by + " on " + review.on +
+            (review.remark.empty() ? "" : ": " + review.remark);
   text +=
       "\n  form rests on: " + from.form_evidence + "\n  movement rests on: " + from.movement_evidence + "\n  sources:";
   for (const std::string& source : from.sources)
@@ -145,6 +159,28 @@ Result<void> list(const Options& options, const Lexicon& lexicon) {
   filter.kind = options.kind;
   filter.category = options.category;
   filter.region = options.region;
+  filter.handshape = options.handshape;
+  if (!options.handshape.empty()) {
+    const auto shape = lexicon.handshape(options.handshape);
+    if (!shape) return tl::unexpected(shape.error());
+    if (!*shape)
+      return fail(ErrorCode::kUsage, "--handshape: there is no handshape \"" + options.handshape +
+                                         "\"; they are named in assets/lexicon/handshapes.toml");
+  }
+  const auto read_word = [](const std::string& option, const std::string& word, auto& value) -> Result<void> {
+    if (word.empty()) return {};
+    using Word = typename std::remove_reference_t<decltype(value)>::value_type;
+    value = from_name<Word>(word);
+    if (value) return {};
+    std::string all;
+    for (const std::string_view name : names_of<Word>())
+      (all += all.empty() ? "" : ", ") += name;
+    return fail(ErrorCode::kUsage, option + ": there is no \"" + word + "\"; expected one of " + all);
+  };
+  if (auto good = read_word("--at", options.place, filter.location); !good) return good;
+  if (auto good = read_word("--hands", options.hands, filter.handedness); !good) return good;
+  if (auto good = read_word("--movement", options.movement, filter.movement); !good) return good;
+  if (auto good = read_word("--review", options.review, filter.review); !good) return good;
   const auto entries = lexicon.list(filter);
   if (!entries) return tl::unexpected(entries.error());
   if (options.json) {
@@ -207,6 +243,47 @@ Result<void> search(const Options& options, const Lexicon& lexicon) {
   return {};
 }
 
+std::string counted(const std::map<std::string, int>& counts) {
+  std::string text;
+  for (const auto& [name, count] : counts)
+    text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + name;
+  return text;
+}
+
+std::string evidence_text(const LexiconCounts& counts) {
+  return "movement rests on: " + counted(counts.movement_evidence) + "\n";
+}
+
+Result<void> stats(const Options& options, const Lexicon& lexicon) {
+  const auto counts = lexicon.counts();
+  if (!counts) return tl::unexpected(counts.error());
+  if (options.json)
+    return print(dump({{"handshapes", counts->handshapes},
+                       {"base_handshapes", counts->base_handshapes},
+                       {"core_handshapes", counts->core_handshapes},
+                       {"signs", counts->signs},
+                       {"letters", counts->letters},
+                       {"numbers", counts->numbers},
+                       {"keywords", counts->keywords},
+                       {"phrases", counts->phrases},
+                       {"safety_critical", counts->safety_critical},
+                       {"reviewed", counts->reviewed},
+                       {"rejected", counts->rejected},
+                       {"regions", counts->regions},
+                       {"confidence", counts->confidences},
+                       {"movement_evidence", counts->movement_evidence},
+                       {"sources", counts->sources}}));
+  return print(std::to_string(counts->handshapes) + " handshapes: " + std::to_string(counts->base_handshapes) +
+               " base (" + std::to_string(counts->core_handshapes) + " core) and their variants\n" +
+               std::to_string(counts->letters) + " letters, " + std::to_string(counts->numbers) + " numbers, " +
+               std::to_string(counts->signs) + " signs (" + std::to_string(counts->safety_critical) +
+               " safety-critical), " + std::to_string(counts->phrases) + " phrases, " +
+               std::to_string(counts->keywords) + " English keywords\n" + std::to_string(counts->reviewed) +
+               " reviewed by a Deaf signer, " + std::to_string(counts->rejected) +
+               " rejected\nregion: " + counted(counts->regions) + "\nconfidence: " + counted(counts->confidences) +
+               "\n" + evidence_text(*counts) + "sources named: " + counted(counts->sources) + "\n");
+}
+
 Result<void> check(const Options& options, const Lexicon& lexicon) {
   const auto findings = lexicon.check();
   const auto counts = lexicon.counts();
@@ -221,6 +298,7 @@ Result<void> check(const Options& options, const Lexicon& lexicon) {
     json["phrases"] = counts->phrases;
     json["reviewed"] = counts->reviewed;
     json["rejected"] = counts->rejected;
+    json["movement_evidence"] = counts->movement_evidence;
     json["findings"] = Json::array();
     for (const Finding& finding : findings)
       json["findings"].push_back({{"entry", finding.entry}, {"part", finding.part}, {"message", finding.message}});
@@ -233,7 +311,7 @@ Result<void> check(const Options& options, const Lexicon& lexicon) {
             std::to_string(counts->letters) + " letters, " + std::to_string(counts->numbers) + " numbers, " +
             std::to_string(counts->keywords) + " keywords, " + std::to_string(counts->phrases) + " phrases; " +
             std::to_string(counts->reviewed) + " reviewed by a Deaf signer, " + std::to_string(findings.size()) +
-            " findings\n";
+            " findings\n" + evidence_text(*counts);
     if (auto printed = print(text); !printed) return printed;
   }
   if (!findings.empty())
@@ -256,6 +334,8 @@ Result<void> run_db(const Options& options) {
       return show(options, **lexicon);
     case Command::kDbSearch:
       return search(options, **lexicon);
+    case Command::kDbStats:
+      return stats(options, **lexicon);
     default:
       return check(options, **lexicon);
   }

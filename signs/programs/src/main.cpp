@@ -54,7 +54,15 @@ auslan::Result<void> run(const auslan::Options& options) {
     case kDbShow:
     case kDbSearch:
     case kDbCheck:
+    case kDbStats:
       return auslan::run_db(options);
+    case kDbBuild:
+    case kDbExport:
+    case kDbImport:
+    case kDbReview:
+    case kDbDiff:
+    case kDbMigrate:
+      return auslan::run_db_edit(options);
   }
   return {};
 }

@@ -21,6 +21,13 @@ enum class Command {
   kDbShow,
   kDbSearch,
   kDbCheck,
+  kDbStats,
+  kDbBuild,
+  kDbExport,
+  kDbImport,
+  kDbReview,
+  kDbDiff,
+  kDbMigrate,
   kExperiment,
   kBench,
   kAvatar,
@@ -66,8 +73,10 @@ struct Options {
   std::string write_exceptions;  ///< where to write what breaks a limit; empty: nowhere
   std::string notation;  ///< for the command notation: hns, gestural, hamnosys, text; empty: only what was found
   // db
-  std::vector<std::string> words;  ///< the glosses to show, the words to search
-  std::string kind, category, region;
+  std::vector<std::string> words;  ///< the glosses to show, the words to search, the files to work on
+  std::string kind, category, region, handshape, place, hands, movement, review;  ///< empty: any
+  std::string conflicts;                               ///< of an import: "ours", "theirs"; empty: none are allowed
+  std::string reviewer, verdict, remark, reviewed_on;  ///< of a review; reviewed_on empty: today
 };
 
 }  // namespace auslan

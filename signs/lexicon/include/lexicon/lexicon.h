@@ -8,6 +8,7 @@
 #include "lexicon/lexicon_text.h"
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -39,11 +40,15 @@ struct ListFilter {
   std::string category = {};
   std::string region = {};
   std::optional<ReviewState> review = {};
-  std::string handshape = {};  ///< used by either hand in any phase
-  std::optional<Location> location = {};
+  // What a learner sees, for the look-up from a sign to its meaning.
+  std::string handshape = {};             ///< used by either hand in any phase
+  std::optional<Location> location = {};  ///< of either hand in any phase, or touched there
+  std::optional<Handedness> handedness = {};
+  std::optional<MoveKind> movement = {};
 };
 
-/// `rank` 0: gloss or keyword is the text; 1: one begins with it; 2: one contains it; 3: the definition contains it.
+/// `rank` 0: gloss or keyword is the text; 1: one begins with it; 2: one contains it, or the same words in another form
+/// ("hospitals", "swelling"); 3: the definition does.
 struct SearchHit {
   SignSummary sign;
   std::string matched;  ///< the gloss or keyword that matched, or the definition
@@ -51,8 +56,13 @@ struct SearchHit {
 };
 
 struct LexiconCounts {
-  int handshapes = 0, signs = 0, letters = 0, numbers = 0, keywords = 0, phrases = 0;
+  int handshapes = 0, base_handshapes = 0, core_handshapes = 0;
+  int signs = 0, letters = 0, numbers = 0, keywords = 0, phrases = 0;
   int reviewed = 0, rejected = 0;  ///< among signs, letters, numbers and phrases
+  int safety_critical = 0;
+  /// Signs, letters and numbers by region, by confidence, by what their movement rests on (the first word of
+  /// `movement_evidence`), by source; each in the order of its names.
+  std::map<std::string, int> regions, confidences, movement_evidence, sources;
 };
 
 class Lexicon {
@@ -81,8 +91,8 @@ class Lexicon {
 
   Result<std::vector<Handshape>> handshapes() const;
   Result<std::vector<SignSummary>> list(const ListFilter& filter = {}) const;
-  /// Substring search, without regard to ASCII case, over glosses, keywords and definitions (a scan, no FTS index: the
-  /// whole table is a few hundred rows). Best first, then by gloss.
+  /// Search over glosses, keywords and definitions, without regard to case or to the endings of English (the full-text
+  /// index); where that finds nothing, for parts of words (a scan). Best first, then by gloss.
   Result<std::vector<SearchHit>> search(std::string_view text) const;
   Result<LexiconCounts> counts() const;
   /// The whole model, for export and comparison.
@@ -92,6 +102,8 @@ class Lexicon {
 
  private:
   struct State;
+  /// How a sign matches; `matched` is empty where it does not.
+  SearchHit hit_of(SignSummary sign, std::string_view wanted) const;
   explicit Lexicon(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
