@@ -192,20 +192,22 @@ Result<void> read_features(sqlite3* db, Sign& sign) {
 Result<std::vector<SignSummary>> read_summaries_where(sqlite3* db, std::string_view condition,
                                                       std::string_view parameter) {
   std::vector<SignSummary> list;
-  Result<void> outcome =
-      each_row(db,
-               "SELECT gloss, kind, category, region, definition, handedness, confidence, review FROM sign WHERE " +
-                   std::string(condition),
-               parameter, "the table of signs", kMaxRows, [&list](Row& row) {
-                 SignSummary sign;
-                 for (std::string* value : {&sign.gloss, &sign.kind, &sign.category, &sign.region, &sign.definition})
-                   *value = row.text();
-                 sign.handedness = row.word<Handedness>();
-                 sign.confidence = row.word<Confidence>();
-                 sign.review = row.word<ReviewState>();
-                 list.push_back(std::move(sign));
-                 return true;
-               });
+  Result<void> outcome = each_row(
+      db,
+      "SELECT gloss, kind, category, region, definition, handedness, confidence, review, safety_critical FROM sign "
+      "WHERE " +
+          std::string(condition),
+      parameter, "the table of signs", kMaxRows, [&list](Row& row) {
+        SignSummary sign;
+        for (std::string* value : {&sign.gloss, &sign.kind, &sign.category, &sign.region, &sign.definition})
+          *value = row.text();
+        sign.handedness = row.word<Handedness>();
+        sign.confidence = row.word<Confidence>();
+        sign.review = row.word<ReviewState>();
+        sign.safety_critical = row.integer(0, 1) == 1;
+        list.push_back(std::move(sign));
+        return true;
+      });
   if (!outcome) return tl::unexpected(outcome.error());
   return list;
 }

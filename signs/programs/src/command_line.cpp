@@ -83,6 +83,11 @@ CLI::Option* add_parsed(CLI::App& app, const std::string& name, const std::strin
 
 void add_source(CLI::App& app, Options& options) {
   app.add_option("TEXT", options.source.text, "English to sign; quote it");
+  app.add_option("--region", options.dialect,
+                 "The dialect: north (New South Wales, Queensland) or south (the others), where signs differ")
+      ->check(CLI::IsMember({"north", "south"}));
+  app.add_flag("--strict", options.strict,
+               "Spell safety-critical signs that are doubtful and that no Deaf signer has approved, and caption");
   app.add_option("--gloss", options.source.glosses, "Entries to sign in place of TEXT, as --gloss HELLO")
       ->type_name("GLOSS");
   app.add_option("--motion", options.source.motion_file, "A motion file (.jsonl) to play in place of TEXT")
@@ -415,6 +420,7 @@ std::variant<Options, ExitNow> parse_command_line(int argc, const char* const* a
   if (*bench && !options.source.text) options.source.text = "Where does it hurt?";
   for (const auto& [sub, command] : db)
     if (*sub) options.command = command;
+  options.caption = options.caption || options.strict;
   if (const std::string wrong = check(options); !wrong.empty()) {
     std::cerr << "auslanjam: " << wrong << "\n`auslanjam --help` tells how to use it\n";
     return ExitNow{2};

@@ -59,6 +59,8 @@ struct Options {
   std::string detail = "normal";  ///< of the built-in figure: low, normal or high
   std::string appearance;         ///< of the figure, by name; empty: its first
   std::string avatar;    ///< a figure in place of the built-in one; empty: built in; for the command avatar: its FILE
+  std::string dialect;   ///< of the signing: north, south; empty: the lexicon's first choice
+  bool strict = false;   ///< doubtful safety-critical signs are spelled, and captioned
   std::string database;  ///< a database in place of the built-in one; empty: built in
   bool left_handed = false;
   bool caption = false;

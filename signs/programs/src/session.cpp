@@ -10,6 +10,7 @@
 #include "media/motion_file.h"
 #include "notation/notation.h"
 #include "synthesis/choreography.h"
+#include "translate/audience.h"
 #include "translate/translator.h"
 
 #include <algorithm>
@@ -66,7 +67,7 @@ Result<TranslatorData> translator_data(const Lexicon& lexicon) {
   const auto entries = lexicon.list();
   if (!entries) return tl::unexpected(entries.error());
   for (const SignSummary& entry : *entries)
-    data.entries.push_back({entry.gloss, entry.confidence, entry.review});
+    data.entries.push_back({entry.gloss, entry.confidence, entry.review, entry.region, entry.safety_critical});
   data.phrases = lexicon.phrases();
   data.keywords = lexicon.keywords();
   return data;
@@ -177,6 +178,7 @@ Result<Translation> Session::translation_of(const std::string& english) {
   if (!lexicon) return tl::unexpected(lexicon.error());
   auto data = translator_data(**lexicon);
   if (!data) return tl::unexpected(data.error());
+  suit(*data, {dialect_from_name(options_.dialect), options_.strict});
   // Without WordNet's lists the rules for endings still stand; "teeth" is then spelled, and said so.
   auto forms = read_wordnet_exceptions();
   if (forms) data->irregular_lemmas = std::move(*forms);

@@ -3,6 +3,7 @@
 #include "characters.h"
 #include "closed_class.h"
 #include "numbers.h"
+#include "region.h"
 #include "resolver.h"
 
 #include <algorithm>
@@ -13,14 +14,6 @@ namespace auslan {
 namespace {
 
 constexpr size_t kLongSpelling = 12;  // letters; beyond it the English should stand beside the signing
-
-/// WATER and WATER-NORTH are one sense in two regions.
-std::string_view without_region(std::string_view gloss) {
-  for (const std::string_view suffix : {"-NORTH", "-SOUTH"})
-    if (gloss.size() > suffix.size() && gloss.substr(gloss.size() - suffix.size()) == suffix)
-      return gloss.substr(0, gloss.size() - suffix.size());
-  return gloss;
-}
 
 std::string_view ordinal_word(std::string_view norm) {
   static constexpr std::array<std::string_view, 10> kWords = {"first", "second",  "third",  "fourth", "fifth",

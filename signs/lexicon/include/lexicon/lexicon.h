@@ -32,6 +32,7 @@ struct SignSummary {
   Handedness handedness = Handedness::kOne;
   Confidence confidence = Confidence::kLow;
   ReviewState review = ReviewState::kUnreviewed;
+  bool safety_critical = false;
 };
 
 /// Empty fields do not filter.

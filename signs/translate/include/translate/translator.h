@@ -24,6 +24,8 @@ struct EntryFacts {
   std::string gloss;
   Confidence confidence = Confidence::kLow;
   ReviewState review = ReviewState::kUnreviewed;
+  std::string region = "all";
+  bool safety_critical = false;
 };
 
 /// Everything the translator knows, as plain data.
