@@ -17,18 +17,20 @@ if(AUSLANJAM_PROGRAMS)
   auslan_test(check_overlap LABEL unit LIBRARIES auslan::check auslan::lexicon)
   target_include_directories(check_overlap_test PRIVATE ${PROJECT_SOURCE_DIR}/signs/check/src)
   # Reports with tables, one process each.
-  foreach(_report reach touch)
+  foreach(_report glove reach touch)
     add_executable(${_report}_test conformance/${_report}_test.cpp)
     add_dependencies(tests_conformance ${_report}_test)
     target_link_libraries(${_report}_test PRIVATE auslan::standard
       auslan::check auslan::lexicon auslan::notation GTest::gtest GTest::gtest_main)
-    target_compile_definitions(${_report}_test PRIVATE AUSLANJAM_BINARY_DIR="${PROJECT_BINARY_DIR}")
+    target_compile_definitions(${_report}_test PRIVATE
+      AUSLANJAM_BINARY_DIR="${PROJECT_BINARY_DIR}" AUSLANJAM_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
     target_include_directories(${_report}_test PRIVATE
       support ${PROJECT_SOURCE_DIR}/signs/check/src ${PROJECT_SOURCE_DIR}/signs/notation/src)
     gtest_discover_tests(${_report}_test TEST_FILTER "-*Soak.*"
       PROPERTIES LABELS conformance TIMEOUT 600 DISCOVERY_TIMEOUT 60)
   endforeach()
-  foreach(_of_check check check_overlap reach touch)
+  target_sources(glove_test PRIVATE support/glove.cpp)
+  foreach(_of_check check check_overlap glove reach touch)
     add_dependencies(${_of_check}_test auslan_baked_figure auslan_built_lexicon)
   endforeach()
 endif()
