@@ -172,7 +172,7 @@ void rank_bends(const std::vector<Take*>& takes) {
         for (Frame& frame : take->frames) {
           double& bend = frame[side].bends[digit];
           // The middle of those that are as bent.
-          const auto [low, high] = std::ranges::equal_range(all, bend);
+          const auto [low, high] = std::equal_range(all.begin(), all.end(), bend);
           bend = (static_cast<double>(low - all.begin()) + static_cast<double>(high - all.begin())) /
                  (2.0 * static_cast<double>(all.size()));
         }

@@ -196,7 +196,8 @@ void expect_touches(size_t step) {
   for (const auto& [place, text] : missed)
     std::printf("%-18s%s\n", std::string(to_name(place)).c_str(), text.c_str());
   const auto all_tried = static_cast<double>(tried);
-  EXPECT_LE(static_cast<double>(tried - out_of_reach - touched), kUntouched * all_tried);
+  // A sample of a few hundred pairs may hold one of the few that are missed.
+  EXPECT_LE(static_cast<double>(tried - out_of_reach - touched), std::max(1.0, kUntouched * all_tried));
   EXPECT_LE(static_cast<double>(touched - at_place), kBeside * all_tried);
 }
 

@@ -8,20 +8,6 @@
 
 namespace auslan {
 
-namespace {
-
-/// Little-endian, whatever the machine.
-std::string bytes_of(std::span<const uint32_t> pixels) {
-  std::string bytes;
-  bytes.reserve(pixels.size_bytes());
-  for (const uint32_t pixel : pixels)
-    for (int shift = 0; shift < 32; shift += 8)
-      bytes += static_cast<char>(pixel >> shift & 0xFF);
-  return bytes;
-}
-
-}  // namespace
-
 PixelRect intersection(const PixelRect& a, const PixelRect& b) {
   const int64_t x0 = std::max<int64_t>(a.x, b.x);
   const int64_t y0 = std::max<int64_t>(a.y, b.y);
@@ -31,11 +17,16 @@ PixelRect intersection(const PixelRect& a, const PixelRect& b) {
   return {static_cast<int>(x0), static_cast<int>(y0), static_cast<int>(x1 - x0), static_cast<int>(y1 - y0)};
 }
 
+/// Little-endian, whatever the machine.
 std::string frame_digest(FrameView frame) {
   if constexpr (std::endian::native == std::endian::little)
     return digest_of({reinterpret_cast<const char*>(frame.pixels.data()), frame.pixels.size_bytes()});
-  else
-    return digest_of(bytes_of(frame.pixels));
+  std::string bytes;
+  bytes.reserve(frame.pixels.size_bytes());
+  for (const uint32_t pixel : frame.pixels)
+    for (int shift = 0; shift < 32; shift += 8)
+      bytes += static_cast<char>(pixel >> shift & 0xFF);
+  return digest_of(bytes);
 }
 
 }  // namespace auslan
