@@ -47,11 +47,15 @@ target_link_libraries(synthesis_cost PRIVATE auslan::standard auslan::synthesis 
 target_include_directories(synthesis_cost PRIVATE support)
 target_compile_definitions(synthesis_cost PRIVATE
   AUSLANJAM_BINARY_DIR="${PROJECT_BINARY_DIR}" AUSLANJAM_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+add_executable(lexicon_cost bench/lexicon_cost.cpp)
+target_link_libraries(lexicon_cost PRIVATE auslan::standard auslan::synthesis auslan::lexicon)
+target_include_directories(lexicon_cost PRIVATE support)
+target_compile_definitions(lexicon_cost PRIVATE AUSLANJAM_BINARY_DIR="${PROJECT_BINARY_DIR}")
 add_executable(raster_bench
   bench/measurement.cpp bench/peer_process.cpp bench/picture_difference.cpp bench/raster_bench.cpp bench/report.cpp)
 target_link_libraries(raster_bench PRIVATE auslan_bench_stage benchmark::benchmark nlohmann_json::nlohmann_json)
 add_dependencies(tests_bench
-  raster_bench raster_frames stage_frames synthesis_cost bench_scenes auslan_baked_figure auslan_built_lexicon)
+  lexicon_cost raster_bench raster_frames stage_frames synthesis_cost bench_scenes auslan_baked_figure auslan_built_lexicon)
 
 # Mesa in memory, where it is installed.
 find_path(OSMESA_INCLUDE_DIR GL/osmesa.h)

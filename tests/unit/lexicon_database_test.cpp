@@ -134,7 +134,11 @@ TEST_F(LexiconDatabase, SearchLooksAtGlossesKeywordsAndDefinitions) {
   ASSERT_TRUE(syringe && syringe->size() == 1u);
   EXPECT_EQ(syringe->front().rank, 3);
   EXPECT_EQ(syringe->front().sign.gloss, "INJECTION");
-  for (const char* nothing : {"", "%", "_%_", "qqqq", "'; DROP TABLE sign; --"}) {
+  const auto part = lexicon_->search("mBULANc");
+  ASSERT_TRUE(part && part->size() == 1u) << "where no word begins so, parts of words are looked for";
+  EXPECT_EQ(part->front().sign.gloss, "AMBULANCE");
+  EXPECT_EQ(part->front().rank, 2);
+  for (const char* nothing : {"", "\"", "\"\"\"", "%", "_%_", "qqqq", "'; DROP TABLE sign; --"}) {
     const auto none = lexicon_->search(nothing);
     ASSERT_TRUE(none);
     EXPECT_TRUE(none->empty()) << nothing;

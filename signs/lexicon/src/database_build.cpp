@@ -15,7 +15,7 @@ Result<void> fill(sqlite3* db, const LexiconText& text) {
   // of equal bytes.
   Result<void> done = execute(
       db,
-      "PRAGMA page_size = 4096; PRAGMA encoding = 'UTF-8'; PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; "
+      "PRAGMA page_size = 16384; PRAGMA encoding = 'UTF-8'; PRAGMA journal_mode = OFF; PRAGMA synchronous = OFF; "
       "PRAGMA foreign_keys = ON; PRAGMA application_id = " +
           std::to_string(kLexiconApplicationId) + "; PRAGMA user_version = " + std::to_string(kLexiconSchemaVersion) +
           "; BEGIN");

@@ -333,9 +333,10 @@ Result<std::optional<Phrase>> read_phrase_row(sqlite3* db, std::string_view id) 
   return whole(std::move(*found), std::move(findings), name);
 }
 
-Result<std::vector<Keyword>> read_keyword_rows(sqlite3* db, std::vector<Finding>& findings) {
+Result<std::vector<Keyword>> read_keyword_rows(sqlite3* db, KeywordOrder order, std::vector<Finding>& findings) {
   Result<Statement> statement =
-      Statement::prepare(db, "SELECT word, part_of_speech, gloss, rank FROM keyword ORDER BY position");
+      Statement::prepare(db, std::string("SELECT word, part_of_speech, gloss, rank FROM keyword ORDER BY ") +
+                                 (order == KeywordOrder::kText ? "position, " : "") + "word, part_of_speech, rank");
   if (!statement) return tl::unexpected(statement.error());
   std::vector<Keyword> keywords;
   while (true) {
@@ -399,7 +400,7 @@ Result<LexiconText> read_lexicon_rows(sqlite3* db) {
     outcome = read_each("SELECT id FROM phrase WHERE ?1 = '' ORDER BY position", read_phrase_row, text.phrases);
   if (!outcome) return tl::unexpected(outcome.error());
   std::vector<Finding> findings;
-  Result<std::vector<Keyword>> keywords = read_keyword_rows(db, findings);
+  Result<std::vector<Keyword>> keywords = read_keyword_rows(db, KeywordOrder::kText, findings);
   if (!keywords) return tl::unexpected(keywords.error());
   if (!findings.empty()) return damaged(findings.front().entry, findings.front().message);
   text.keywords = std::move(*keywords);

@@ -16,8 +16,9 @@ namespace auslan {
 Result<std::optional<Sign>> read_sign_row(sqlite3* db, std::string_view gloss);
 Result<std::optional<Handshape>> read_handshape_row(sqlite3* db, std::string_view id);
 Result<std::optional<Phrase>> read_phrase_row(sqlite3* db, std::string_view id);
-/// In the order of the text; damaged rows are left out and told in `findings`.
-Result<std::vector<Keyword>> read_keyword_rows(sqlite3* db, std::vector<Finding>& findings);
+enum class KeywordOrder { kText, kWord };
+/// kWord: by word, then part of speech, then rank. Damaged rows are left out and told in `findings`.
+Result<std::vector<Keyword>> read_keyword_rows(sqlite3* db, KeywordOrder order, std::vector<Finding>& findings);
 Result<std::vector<SignSummary>> read_summaries(sqlite3* db);
 Result<std::optional<SignSummary>> read_summary(sqlite3* db, std::string_view gloss);
 /// All that is there; an Error names the first damaged entry.

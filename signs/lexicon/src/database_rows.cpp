@@ -219,7 +219,7 @@ Result<void> insert_signs(sqlite3* db, const LexiconText& text) {
     AUSLAN_TRY(insert_moves(*move_row, sign));
     AUSLAN_TRY(insert_features(*feature_row, sign));
   }
-  return {};
+  return execute(db, "INSERT INTO part_index SELECT words FROM word_index ORDER BY rowid");
 }
 
 Result<void> insert_keywords(sqlite3* db, const LexiconText& text) {
@@ -227,11 +227,11 @@ Result<void> insert_keywords(sqlite3* db, const LexiconText& text) {
   if (!row) return tl::unexpected(row.error());
   int position = 0;
   for (const Keyword& keyword : text.keywords) {
-    row->bind(position++);
     row->bind(std::string_view(keyword.word));
     row->bind(std::string_view(keyword.part_of_speech));
-    row->bind(std::string_view(keyword.gloss));
     row->bind(keyword.rank);
+    row->bind(position++);
+    row->bind(std::string_view(keyword.gloss));
     AUSLAN_TRY(row->run());
   }
   return {};

@@ -26,9 +26,9 @@ std::string lowered(std::string_view text) {
   return out;
 }
 
-/// What the full-text index is asked for: every word of the text, the last one also as a beginning; empty where the
-/// text has no words.
-std::string full_text_query(std::string_view text) {
+/// What the index of words is asked for: every word of the text, the last one also as a beginning; empty where the text
+/// has no words.
+std::string words_query(std::string_view text) {
   std::string query, word;
   const auto end_word = [&] {
     if (!word.empty()) query += (query.empty() ? "\"" : " \"") + word + '"';
@@ -45,6 +45,15 @@ std::string full_text_query(std::string_view text) {
   return query.empty() ? query : query + "*";
 }
 
+/// What the index of parts is asked for: the text as it is; empty below the three letters that it goes by.
+std::string part_query(std::string_view text) {
+  if (text.size() < 3) return {};
+  std::string query = "\"";
+  for (const char c : text)
+    query += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return query + '"';
+}
+
 /// 0 equal, 1 begins, 2 contains, 3 not found.
 int match_rank(std::string_view text, std::string_view wanted) {
   const std::string low = lowered(text);
@@ -54,14 +63,34 @@ int match_rank(std::string_view text, std::string_view wanted) {
   return low.size() == wanted.size() ? 0 : 1;
 }
 
+/// How a sign that was found matches: the best of `words`, its gloss and keywords, a line each.
+SearchHit hit_of(SignSummary sign, std::string_view words, std::string_view wanted) {
+  SearchHit hit;
+  hit.rank = 3;
+  while (!words.empty()) {
+    const std::string_view word = words.substr(0, words.find('\n'));
+    words.remove_prefix(std::min(words.size(), word.size() + 1));
+    if (const int rank = match_rank(word, wanted); rank < hit.rank) {
+      hit.matched = word;
+      hit.rank = rank;
+    }
+  }
+  if (hit.rank == 3) {
+    const bool defined = match_rank(sign.definition, wanted) < 3;
+    // Otherwise found by another form of its words; which of them is not told.
+    hit.matched = defined ? sign.definition : sign.gloss;
+    hit.rank = defined ? 3 : 2;
+  }
+  hit.sign = std::move(sign);
+  return hit;
+}
+
 }  // namespace
 
 struct Lexicon::State {
   std::string place;  ///< of the file, for what goes wrong in it
   Database db;
   std::vector<Keyword> keywords;
-  std::vector<Keyword> keywords_in_text_order;
-  std::map<std::string, std::vector<size_t>, std::less<>> keywords_of;  ///< by gloss, indices of `keywords`
   std::vector<Phrase> phrases;
   std::vector<Finding> damaged;
   int batches = 0;
@@ -71,7 +100,28 @@ struct Lexicon::State {
     if (!result && result.error().place.empty()) result.error().place = place;
     return result;
   }
+
+  /// The signs that one of the full-text indices finds.
+  Result<std::vector<SearchHit>> find(std::string_view index, const std::string& query, std::string_view wanted) const;
 };
+
+Result<std::vector<SearchHit>> Lexicon::State::find(std::string_view index, const std::string& query,
+                                                    std::string_view wanted) const {
+  std::vector<SearchHit> hits;
+  if (query.empty()) return hits;
+  const std::string table(index);
+  Result<std::vector<std::string>> found =
+      read_names(db.get(), "SELECT words FROM " + table + " WHERE " + table + " MATCH ?1", query);
+  if (!found) return tl::unexpected(found.error());
+  for (const std::string& words : *found) {
+    const std::string gloss = words.substr(0, words.find('\n'));
+    Result<std::optional<SignSummary>> sign = read_summary(db.get(), gloss);
+    if (!sign) return tl::unexpected(sign.error());
+    if (!*sign) return fail(ErrorCode::kMalformed, "the full-text index names " + gloss + ", which is not there");
+    hits.push_back(hit_of(std::move(**sign), words, wanted));
+  }
+  return hits;
+}
 
 Lexicon::Lexicon(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Lexicon::Lexicon(Lexicon&&) noexcept = default;
@@ -96,15 +146,12 @@ Result<Lexicon> Lexicon::open(const std::filesystem::path& path) {
     problem.place = path.string();
     return tl::unexpected(std::move(problem));
   };
+  // One transaction: the file is locked once, and what is read is of one state.
+  if (Result<void> begun = execute(raw, "BEGIN"); !begun) return placed(begun.error());
   if (Result<void> good = examine(raw); !good) return placed(good.error());
-  Result<std::vector<Keyword>> keywords = read_keyword_rows(raw, state->damaged);
+  Result<std::vector<Keyword>> keywords = read_keyword_rows(raw, KeywordOrder::kWord, state->damaged);
   if (!keywords) return placed(keywords.error());
-  state->keywords_in_text_order = *keywords;
-  std::ranges::sort(*keywords, {},
-                    [](const Keyword& k) { return std::tie(k.word, k.part_of_speech, k.rank, k.gloss); });
   state->keywords = std::move(*keywords);
-  for (size_t i = 0; i < state->keywords.size(); ++i)
-    state->keywords_of[state->keywords[i].gloss].push_back(i);
   const Result<std::vector<std::string>> ids =
       read_names(raw, "SELECT id FROM phrase WHERE ?1 = '' ORDER BY position", "");
   if (!ids) return placed(ids.error());
@@ -115,6 +162,7 @@ Result<Lexicon> Lexicon::open(const std::filesystem::path& path) {
     else
       state->damaged.push_back({"phrase " + id, "", phrase ? "it cannot be found by its id" : phrase.error().message});
   }
+  if (Result<void> done = execute(raw, "COMMIT"); !done) return placed(done.error());
   return Lexicon(std::move(state));
 }
 
@@ -203,58 +251,11 @@ Result<std::vector<SignSummary>> Lexicon::list(const ListFilter& filter) const {
 Result<std::vector<SearchHit>> Lexicon::search(std::string_view text) const {
   state_->batches = 0;
   const std::string wanted = lowered(text);
-  std::vector<SearchHit> hits;
-  const std::string query = full_text_query(wanted);
-  if (!query.empty()) {
-    const Result<std::vector<std::string>> found =
-        state_->in_file(read_names(state_->db.get(), "SELECT gloss FROM word_index WHERE word_index MATCH ?1", query));
-    if (!found) return tl::unexpected(found.error());
-    for (const std::string& gloss : *found) {
-      Result<std::optional<SignSummary>> sign = state_->in_file(read_summary(state_->db.get(), gloss));
-      if (!sign) return tl::unexpected(sign.error());
-      if (!*sign)
-        return fail(ErrorCode::kMalformed, "the full-text index names " + gloss + ", which is not there",
-                    state_->place);
-      SearchHit hit = hit_of(std::move(**sign), wanted);
-      if (hit.matched.empty()) {
-        // Found by another form of its words; which of them is not told.
-        hit.matched = hit.sign.gloss;
-        hit.rank = 2;
-      }
-      hits.push_back(std::move(hit));
-    }
-  }
-  if (hits.empty() && !wanted.empty()) {
-    Result<std::vector<SignSummary>> all = list();
-    if (!all) return tl::unexpected(all.error());
-    for (SignSummary& sign : *all) {
-      SearchHit hit = hit_of(std::move(sign), wanted);
-      if (!hit.matched.empty()) hits.push_back(std::move(hit));
-    }
-  }
-  std::ranges::sort(hits, {}, [](const SearchHit& hit) { return std::tie(hit.rank, hit.sign.gloss); });
+  Result<std::vector<SearchHit>> hits = state_->find(kWordIndex, words_query(wanted), wanted);
+  if (hits && hits->empty()) hits = state_->find(kPartIndex, part_query(wanted), wanted);
+  if (!hits) return state_->in_file(std::move(hits));
+  std::ranges::sort(*hits, {}, [](const SearchHit& hit) { return std::tie(hit.rank, hit.sign.gloss); });
   return hits;
-}
-
-SearchHit Lexicon::hit_of(SignSummary sign, std::string_view wanted) const {
-  SearchHit hit;
-  hit.rank = 4;
-  const auto consider = [&](const std::string& word, int rank) {
-    if (rank >= hit.rank) return;
-    hit.matched = word;
-    hit.rank = rank;
-  };
-  const auto rank_of = [&](const std::string& word) {
-    const int rank = match_rank(word, wanted);
-    return rank < 3 ? rank : 4;
-  };
-  consider(sign.gloss, rank_of(sign.gloss));
-  if (const auto own = state_->keywords_of.find(sign.gloss); own != state_->keywords_of.end())
-    for (const size_t index : own->second)
-      consider(state_->keywords[index].word, rank_of(state_->keywords[index].word));
-  if (match_rank(sign.definition, wanted) < 3) consider(sign.definition, 3);
-  hit.sign = std::move(sign);
-  return hit;
 }
 
 Result<LexiconCounts> Lexicon::counts() const {
@@ -319,7 +320,12 @@ std::vector<Finding> Lexicon::check() const {
           [&](const std::string& id) { return take(handshape(id), text.handshapes); });
   collect("SELECT gloss FROM sign WHERE ?1 = '' ORDER BY position", "",
           [&](const std::string& gloss) { return take(sign(gloss), text.signs); });
-  text.keywords = state_->keywords_in_text_order;
+  std::vector<Finding> damaged_keywords;  // told by open() already
+  Result<std::vector<Keyword>> keywords = read_keyword_rows(db, KeywordOrder::kText, damaged_keywords);
+  if (keywords)
+    text.keywords = std::move(*keywords);
+  else
+    findings.push_back({"keyword", "", keywords.error().message});
   text.phrases = state_->phrases;
   for (Finding& finding : check_lexicon(text))
     findings.push_back(std::move(finding));

@@ -50,13 +50,15 @@ std::string provenance() {
 
 }  // namespace
 
+// One tree for each table, and no index that nothing looks up by: integrity_check reads them all at every opening. The
+// columns of the key stand first: SQLite 3.40 takes sound rows for damaged where they do not.
 std::vector<TableSchema> lexicon_tables() {
   using enum FaceTier;
   std::vector<TableSchema> tables;
   tables.push_back({"handshape",
                     "CREATE TABLE handshape (\n"
                     "  id TEXT PRIMARY KEY NOT NULL,\n"
-                    "  position INTEGER NOT NULL UNIQUE,\n"
+                    "  position INTEGER NOT NULL,\n"
                     "  name TEXT NOT NULL,\n"
                     "  base TEXT NOT NULL REFERENCES handshape (id) DEFERRABLE INITIALLY DEFERRED,\n"
                     "  selected TEXT NOT NULL,\n"
@@ -70,7 +72,7 @@ std::vector<TableSchema> lexicon_tables() {
                     "  aliases TEXT NOT NULL,\n"
                     "  core INTEGER NOT NULL CHECK (core IN (0, 1)),\n"
                     "  frequency_rank INTEGER NOT NULL CHECK (frequency_rank BETWEEN 0 AND 999),\n" +
-                        provenance() + ") STRICT"});
+                        provenance() + ") STRICT, WITHOUT ROWID"});
   tables.push_back({"finger",
                     "CREATE TABLE finger (\n"
                     "  handshape TEXT NOT NULL REFERENCES handshape (id) ON DELETE CASCADE,\n"
@@ -83,7 +85,7 @@ std::vector<TableSchema> lexicon_tables() {
   tables.push_back({"sign",
                     "CREATE TABLE sign (\n"
                     "  gloss TEXT PRIMARY KEY NOT NULL,\n"
-                    "  position INTEGER NOT NULL UNIQUE,\n"
+                    "  position INTEGER NOT NULL,\n"
                     "  kind TEXT NOT NULL CHECK (kind IN ('sign', 'letter', 'number')),\n"
                     "  category TEXT NOT NULL,\n"
                     "  region TEXT NOT NULL,\n"
@@ -95,7 +97,7 @@ std::vector<TableSchema> lexicon_tables() {
                         face(kGaze) + ",\n" + "  face " + face(kFace) + ",\n" +
                         "  mouthing TEXT NOT NULL,\n"
                         "  safety_critical INTEGER NOT NULL CHECK (safety_critical IN (0, 1)),\n" +
-                        provenance() + ") STRICT"});
+                        provenance() + ") STRICT, WITHOUT ROWID"});
   tables.push_back({"posture",
                     "CREATE TABLE posture (\n"
                     "  gloss TEXT NOT NULL REFERENCES sign (gloss) ON DELETE CASCADE,\n"
@@ -150,21 +152,21 @@ std::vector<TableSchema> lexicon_tables() {
                     "  PRIMARY KEY (gloss, position)) STRICT, WITHOUT ROWID"});
   tables.push_back({"keyword",
                     "CREATE TABLE keyword (\n"
-                    "  position INTEGER PRIMARY KEY NOT NULL,\n"
                     "  word TEXT NOT NULL CHECK (word <> ''),\n"
                     "  part_of_speech TEXT NOT NULL " +
                         check_in("part_of_speech", parts_of_speech(), true) + ",\n" +
-                        "  gloss TEXT NOT NULL REFERENCES sign (gloss) ON DELETE CASCADE,\n"
                         "  rank INTEGER NOT NULL CHECK (rank BETWEEN 0 AND 99),\n"
-                        "  UNIQUE (word, part_of_speech, rank)) STRICT"});
+                        "  position INTEGER NOT NULL,\n"
+                        "  gloss TEXT NOT NULL REFERENCES sign (gloss) ON DELETE CASCADE,\n"
+                        "  PRIMARY KEY (word, part_of_speech, rank)) STRICT, WITHOUT ROWID"});
   tables.push_back({"phrase",
                     "CREATE TABLE phrase (\n"
                     "  id TEXT PRIMARY KEY NOT NULL,\n"
-                    "  position INTEGER NOT NULL UNIQUE,\n"
+                    "  position INTEGER NOT NULL,\n"
                     "  domain TEXT NOT NULL,\n"
                     "  english TEXT NOT NULL CHECK (english <> ''),\n"
                     "  notes TEXT NOT NULL,\n" +
-                        provenance() + ") STRICT"});
+                        provenance() + ") STRICT, WITHOUT ROWID"});
   tables.push_back({"phrase_item",
                     "CREATE TABLE phrase_item (\n"
                     "  phrase TEXT NOT NULL REFERENCES phrase (id) ON DELETE CASCADE,\n"
@@ -199,6 +201,7 @@ std::vector<TableSchema> lexicon_tables() {
   tables.push_back({kWordIndex,
                     "CREATE VIRTUAL TABLE word_index USING fts5(gloss UNINDEXED, words, definition, "
                     "tokenize = 'porter unicode61')"});
+  tables.push_back({kPartIndex, "CREATE VIRTUAL TABLE part_index USING fts5(words, tokenize = 'trigram')"});
   return tables;
 }
 

@@ -16,6 +16,9 @@ struct TableSchema {
 /// The full-text index over words and definitions, with the stems of English (Porter).
 inline constexpr std::string_view kWordIndex = "word_index";
 
+/// The words by every three letters in a row, for parts of words.
+inline constexpr std::string_view kPartIndex = "part_index";
+
 /// All tables, in the order in which they are made.
 std::vector<TableSchema> lexicon_tables();
 

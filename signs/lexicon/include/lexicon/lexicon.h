@@ -20,7 +20,7 @@ namespace auslan {
 /// "AJlx": the application id in the database's header.
 inline constexpr int kLexiconApplicationId = 0x414A6C78;
 /// The version of the schema (user_version).
-inline constexpr int kLexiconSchemaVersion = 3;
+inline constexpr int kLexiconSchemaVersion = 4;
 
 /// Compiles the lexicon into one database at `path`. The same text gives the same bytes (with the same SQLite). Atomic:
 /// a temporary file beside it is filled, synced and renamed; on failure nothing is left and an old file stays.
@@ -69,7 +69,7 @@ struct LexiconCounts {
 class Lexicon {
  public:
   /// Opens a database read-only, checks that it is ours (application id, schema version) and whole (SQLite's
-  /// quick_check), and reads keywords and phrases. The messages say how to rebuild.
+  /// integrity_check), and reads keywords and phrases. The messages say how to rebuild.
   static Result<Lexicon> open(const std::filesystem::path& path);
   Lexicon(Lexicon&&) noexcept;
   Lexicon& operator=(Lexicon&&) noexcept;
@@ -93,7 +93,7 @@ class Lexicon {
   Result<std::vector<Handshape>> handshapes() const;
   Result<std::vector<SignSummary>> list(const ListFilter& filter = {}) const;
   /// Search over glosses, keywords and definitions, without regard to case or to the endings of English (the full-text
-  /// index); where that finds nothing, for parts of words (a scan). Best first, then by gloss.
+  /// index); where that finds nothing, for parts of words, from three letters on. Best first, then by gloss.
   Result<std::vector<SearchHit>> search(std::string_view text) const;
   Result<LexiconCounts> counts() const;
   /// The whole model, for export and comparison.
@@ -103,8 +103,6 @@ class Lexicon {
 
  private:
   struct State;
-  /// How a sign matches; `matched` is empty where it does not.
-  SearchHit hit_of(SignSummary sign, std::string_view wanted) const;
   explicit Lexicon(std::unique_ptr<State> state);
   std::unique_ptr<State> state_;
 };
