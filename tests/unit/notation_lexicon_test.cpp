@@ -151,6 +151,30 @@ TEST_P(NotationLexicon, EveryEntryIsWrittenAndReadAsNearlyTheSame) {
   EXPECT_LE(tally.joints, kWorstJoints);
 }
 
+// What a handshape says of itself in HamNoSys is read as that handshape. Twelve base forms are coarse: a knuckle that
+// is bent by half has no symbol.
+TEST(NotationLexiconTest, TheHamNoSysOfEachHandshapeIsReadAsIt) {
+  constexpr double kMean = 6.0, kWorst = 17.0;
+  double sum = 0.0, worst = 0.0;
+  std::string of;
+  for (const Handshape& shape : handshapes()) {
+    const auto read = parse_hamnosys(shape.hamnosys + ",hamextfingero,hampalmd");
+    ASSERT_TRUE(read && read->signable) << shape.id << ": " << shape.hamnosys;
+    for (const Diagnostic& told : read->diagnostics)
+      EXPECT_FALSE(told.left_out) << shape.id << ": " << to_string(told);
+    const double off = joints_between(shape, shape_of(read->handshapes, read->sign.dominant.front().handshape));
+    sum += off;
+    if (off <= worst) continue;
+    worst = off;
+    of = shape.id;
+  }
+  const double mean = sum / static_cast<double>(handshapes().size());
+  std::printf("%zu handshapes; joints are off by %.1f degrees in the mean, at most by %.1f (%s)\n", handshapes().size(),
+              mean, worst, of.c_str());
+  EXPECT_LE(mean, kMean);
+  EXPECT_LE(worst, kWorst);
+}
+
 // By hand from the symbol table: an index with its thumb across, pointing away, palm down, before the chest, moves
 // away.
 TEST(NotationLexiconTest, APointingHandIsWrittenAsTheFieldDoes) {

@@ -52,6 +52,8 @@ const std::vector<ShapeChoice>& shape_choices() {
       if (base.kind != SymbolKind::kHandshape) continue;
       for (const std::string_view thumb : {"", "out", "across", "opposed"})
         for (const std::string_view bend : {"", "bent", "round", "hooked", "dblbent", "dblhooked", "halfbent"}) {
+          // Bent fists are read as bent flat hands, which say it better.
+          if (base.value == "fist" && !bend.empty()) continue;
           WrittenShape shape;
           shape.base = base.value;
           shape.thumb = thumb;
@@ -354,7 +356,8 @@ class Writer {
     if (const Handshape* wanted = find(id)) {
       double least = 1e9;
       for (const ShapeChoice& choice : shape_choices()) {
-        // Symbols cannot bend chosen digits alone.
+        // No symbol bends by half.
+        if (form_ == NotationForm::kSymbols && choice.written.bend == "halfbent") continue;
         const double off = apart(choice.read, *wanted);
         if (off >= least - 1e-9) continue;
         least = off;
